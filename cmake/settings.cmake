@@ -1,0 +1,44 @@
+# One interface target carries the language level and the warnings to every layer.
+add_library(hewn_settings INTERFACE)
+target_compile_features(hewn_settings INTERFACE cxx_std_20)
+# No contraction: the same source must give the same bits on every compiler and device.
+target_compile_options(hewn_settings INTERFACE -ffp-contract=off -Wall -Wextra -Wconversion
+                       -Wshadow -Wno-sign-conversion)
+if(HEWN_WERROR)
+  target_compile_options(hewn_settings INTERFACE -Werror)
+endif()
+target_include_directories(hewn_settings INTERFACE ${PROJECT_SOURCE_DIR})
+target_link_libraries(hewn_settings INTERFACE Threads::Threads)
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+
+find_program(HEWN_CCACHE ccache)
+if(HEWN_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${HEWN_CCACHE})
+endif()
+
+# hewn_layer(NAME SOURCES ... LINKS ...): one static library per layer with only its real
+# dependencies, so that a layering violation fails to link.
+function(hewn_layer name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;SYSTEM_LINKS" ${ARGN})
+  add_library(hewn_${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(hewn_${name} PUBLIC hewn_settings ${ARG_LINKS} PRIVATE ${ARG_SYSTEM_LINKS})
+endfunction()
+
+# hewn_test(NAME LABELS ... SOURCES ... LINKS ...): one doctest executable. Add the label `unit`,
+# `property`, `golden`, `openscad`, `session`, `gpu` or `fuzz`.
+function(hewn_test name)
+  cmake_parse_arguments(ARG "" "" "LABELS;SOURCES;LINKS" ${ARGN})
+  add_executable(${name} ${PROJECT_SOURCE_DIR}/tests/test_main.cpp ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE hewn_settings ${ARG_LINKS} doctest::doctest)
+  target_compile_definitions(${name} PRIVATE
+                             HEWN_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
+                             HEWN_ASSETS="${PROJECT_SOURCE_DIR}/assets"
+                             HEWN_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 900
+                       SKIP_REGULAR_EXPRESSION "SKIPPED:")
+endfunction()

@@ -1,0 +1,93 @@
+#include "core/csg/surface.h"
+
+#include <algorithm>
+
+namespace hewn {
+namespace {
+
+/// Height along the axis and distance from it.
+struct AxisCoordinates {
+  double height, radial;
+  Vec3 outward;  ///< from the axis to the point; not normalised
+};
+
+AxisCoordinates about_axis(const Surface& s, const Vec3& x) {
+  const Vec3 d = x - s.point;
+  const double height = s.axis.dot(d);
+  const Vec3 outward = d - s.axis * height;
+  return {height, outward.norm(), outward};
+}
+
+Vec3 unit_or(const Vec3& v, double length, const Vec3& fallback) {
+  return length > 0 ? Vec3(v / length) : fallback;
+}
+
+}  // namespace
+
+double Surface::signed_distance(const Vec3& x) const {
+  switch (kind) {
+    case SurfaceKind::Plane:
+      return axis.dot(x) - offset;
+    case SurfaceKind::Sphere:
+      return (x - point).norm() - radius;
+    case SurfaceKind::Cylinder:
+      return about_axis(*this, x).radial - radius;
+    case SurfaceKind::Cone: {
+      const AxisCoordinates c = about_axis(*this, x);
+      return c.radial * std::cos(half_angle_rad) - c.height * std::sin(half_angle_rad);
+    }
+    case SurfaceKind::Torus: {
+      const AxisCoordinates c = about_axis(*this, x);
+      const double dr = c.radial - major_radius;
+      return std::sqrt(dr * dr + c.height * c.height) - radius;
+    }
+  }
+  return 0;
+}
+
+Vec3 Surface::gradient(const Vec3& x) const {
+  if (kind == SurfaceKind::Plane) return axis;
+  if (kind == SurfaceKind::Sphere) return unit_or(x - point, (x - point).norm(), Vec3::UnitZ());
+  const AxisCoordinates c = about_axis(*this, x);
+  const Vec3 outward = unit_or(c.outward, c.radial, tangents(axis).u);
+  if (kind == SurfaceKind::Cylinder) return outward;
+  if (kind == SurfaceKind::Cone) {
+    return outward * std::cos(half_angle_rad) - axis * std::sin(half_angle_rad);
+  }
+  const Vec3 from_tube = outward * (c.radial - major_radius) + axis * c.height;
+  return unit_or(from_tube, from_tube.norm(), axis);
+}
+
+const char* name_of(SurfaceKind kind) {
+  switch (kind) {
+    case SurfaceKind::Plane:
+      return "plane";
+    case SurfaceKind::Sphere:
+      return "sphere";
+    case SurfaceKind::Cylinder:
+      return "cylinder";
+    case SurfaceKind::Cone:
+      return "cone";
+    case SurfaceKind::Torus:
+      return "torus";
+  }
+  return "surface";
+}
+
+int parameter_count(SurfaceKind kind) {
+  switch (kind) {
+    case SurfaceKind::Plane:
+      return 3;
+    case SurfaceKind::Sphere:
+      return 4;
+    case SurfaceKind::Cylinder:
+      return 5;
+    case SurfaceKind::Cone:
+      return 6;
+    case SurfaceKind::Torus:
+      return 7;
+  }
+  return 0;
+}
+
+}  // namespace hewn
