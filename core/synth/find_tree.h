@@ -1,0 +1,58 @@
+#pragma once
+/// From labelled space and halfspaces to a CSG tree: the whole search, one call per partition.
+#include <memory>
+#include <vector>
+
+#include "core/base/option_table.h"
+#include "core/base/result.h"
+#include "core/base/run_context.h"
+#include "core/csg/tree.h"
+#include "core/fit/face_groups.h"
+#include "core/fit/surface_set.h"
+#include "core/mesh/query.h"
+
+namespace hewn {
+
+/// What one partition must reproduce. The pointees must outlive the call.
+struct TreeProblem {
+  const MeshQuery* query = nullptr;
+  const Segmentation* segmentation = nullptr;
+  const SurfaceSet* surfaces = nullptr;
+  /// Face groups of the partition; empty means all. Points whose nearest group is not among them
+  /// are don't-cares.
+  std::vector<int> groups;
+  /// Inside and outside swap: the partition's solid will be subtracted.
+  bool is_subtracted = false;
+};
+
+/// Budgets count steps, never time, so that results do not depend on the machine's speed.
+struct TreeSearchOptions {
+  int volume_points = 20000;   ///< uniform samples of the first round
+  int starts = 6;              ///< independent constructions that are compared
+  int beam_width = 6;
+  int neighbourhood_steps = 2500;  ///< stop after this many without improvement
+  int rounds = 4;                  ///< counterexample rounds at most
+};
+
+template <>
+std::span<const OptionField<TreeSearchOptions>> option_table<TreeSearchOptions>();
+
+struct TreeAnswer {
+  Tree tree;
+  /// Share of fresh points (away from inexact surfaces) that the tree classifies as the mesh does.
+  double agreement = 0;
+  int rounds = 0;           ///< counterexample rounds used
+  int halfspaces = 0;       ///< available, separating ones included
+  int separating = 0;       ///< halfspaces added to tell inside from outside
+  int cells = 0;            ///< distinct sign signatures
+  long terms_grown = 0;
+};
+
+/// Finds a small tree for the problem: a decision list of terms on bit columns, refined by large
+/// neighbourhood search and counterexamples (docs/architecture.md).
+/// Fails with: NotFound (no halfspaces, or contradictory labels), Cancelled.
+/// Deterministic for any number of threads.
+Result<TreeAnswer> find_tree(const TreeProblem& problem, const TreeSearchOptions& options,
+                             const RunContext& run);
+
+}  // namespace hewn
