@@ -10,6 +10,15 @@ endif()
 target_include_directories(hewn_settings INTERFACE ${PROJECT_SOURCE_DIR})
 target_link_libraries(hewn_settings INTERFACE Threads::Threads)
 
+# The asan and tsan presets set this: the sanitizers for every target, and assertions with them.
+set(HEWN_SANITIZER "" CACHE STRING "Sanitizers to build with, e.g. address,undefined or thread")
+if(HEWN_SANITIZER)
+  target_compile_options(hewn_settings INTERFACE -fsanitize=${HEWN_SANITIZER}
+                         -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(hewn_settings INTERFACE -fsanitize=${HEWN_SANITIZER})
+  target_compile_definitions(hewn_settings INTERFACE HEWN_ASSERTIONS HEWN_SANITIZED)
+endif()
+
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
@@ -40,5 +49,17 @@ function(hewn_test name)
                              HEWN_BINARY_DIR="${PROJECT_BINARY_DIR}")
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 900
-                       SKIP_REGULAR_EXPRESSION "SKIPPED:")
+                       SKIP_REGULAR_EXPRESSION "SKIPPED:"
+                       ENVIRONMENT "${HEWN_TEST_ENVIRONMENT}")
 endfunction()
+
+# Libraries of the distribution are not instrumented; their false alarms are listed by name.
+set(HEWN_TEST_ENVIRONMENT "")
+if(HEWN_SANITIZER)
+  set(suppressions ${PROJECT_SOURCE_DIR}/tests/sanitizers)
+  set(HEWN_TEST_ENVIRONMENT
+      "TSAN_OPTIONS=suppressions=${suppressions}/tsan.supp ignore_noninstrumented_modules=1"
+      "LSAN_OPTIONS=suppressions=${suppressions}/lsan.supp print_suppressions=0"
+      "ASAN_OPTIONS=detect_stack_use_after_return=1"
+      "UBSAN_OPTIONS=print_stacktrace=1")
+endif()
