@@ -13,9 +13,9 @@ enum class SolidKind { Box, Cylinder, Sphere, Torus, Polyhedron };
 
 /// How the input mesh approximated a curved literal, for export that reproduces its facets.
 struct Facets {
-  int sides = 0;          ///< around the axis; 0: unknown or irregular
-  double phase_rad = 0;   ///< of a vertex, about the local z axis from the local x axis
-  int tube_sides = 0;     ///< torus: around the tube; sphere: rings
+  int sides = 0;         ///< around the axis; 0: unknown or irregular
+  double phase_rad = 0;  ///< of a vertex, about the local z axis from the local x axis
+  int tube_sides = 0;    ///< torus: around the tube; sphere: rings
   double tube_phase_rad = 0;
 };
 
@@ -29,17 +29,20 @@ struct Literal {
   SolidKind kind = SolidKind::Box;
   Mat3 rotation = Mat3::Identity();
   Vec3 origin = Vec3::Zero();
-  Vec3 size = Vec3::Zero();   ///< box
-  double height = 0;          ///< cylinder
-  double radius = 0;          ///< sphere; cylinder: at z = 0; torus: of the tube
-  double top_radius = 0;      ///< cylinder: at z = height
-  double major_radius = 0;    ///< torus
+  Vec3 size = Vec3::Zero();  ///< box
+  double height = 0;         ///< cylinder
+  double radius = 0;         ///< sphere; cylinder: at z = 0; torus: of the tube
+  double top_radius = 0;     ///< cylinder: at z = height
+  double major_radius = 0;   ///< torus
   std::shared_ptr<const Mesh> polyhedron;
   Facets facets;
 
   Vec3 to_local(const Vec3& x) const { return rotation.transpose() * x - origin; }
-  /// Signed distance (a bound outside for the frustum), negative inside.
+  Vec3 to_world(const Vec3& local) const { return rotation * (local + origin); }
+  /// Signed distance, negative inside; exact but inside a spindle torus and a polyhedron of
+  /// several overlapping parts, where it is a bound. Cost: O(1); a polyhedron O(triangles).
   double signed_distance(const Vec3& x) const;
+  /// The tightest axis-aligned box.
   Box3 bounds() const;
 };
 

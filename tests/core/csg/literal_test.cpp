@@ -1,0 +1,94 @@
+#include "core/csg/literal.h"
+
+#include <doctest/doctest.h>
+
+#include "random_tree.h"
+
+namespace hewn {
+namespace {
+
+Literal plain(SolidKind kind) {
+  Literal s;
+  s.kind = kind;
+  s.size = Vec3(2, 4, 6);
+  s.height = 3;
+  s.radius = 1;
+  s.top_radius = 1;
+  s.major_radius = 2;
+  return s;
+}
+
+TEST_CASE("distances at hand-picked points are exact") {
+  const Literal box = plain(SolidKind::Box);
+  CHECK(box.signed_distance({1, 2, 3}) == doctest::Approx(-1));
+  CHECK(box.signed_distance({5, 8, 3}) == doctest::Approx(5));
+  Literal cylinder = plain(SolidKind::Cylinder);
+  CHECK(cylinder.signed_distance({0, 0, 1}) == doctest::Approx(-1));
+  CHECK(cylinder.signed_distance({4, 0, 7}) == doctest::Approx(5));
+  cylinder.top_radius = 0;
+  cylinder.height = 1;
+  CHECK(cylinder.signed_distance({1, 0, 1}) == doctest::Approx(std::sqrt(0.5)));
+  CHECK(cylinder.signed_distance({0, 0, 2}) == doctest::Approx(1));
+  CHECK(plain(SolidKind::Sphere).signed_distance({0, 3, 4}) == doctest::Approx(4));
+  const Literal torus = plain(SolidKind::Torus);
+  CHECK(torus.signed_distance({0, 2, 0}) == doctest::Approx(-1));
+  CHECK(torus.signed_distance({0, 0, 0}) == doctest::Approx(1));
+}
+
+TEST_CASE("a spindle torus is solid on its axis") {
+  Literal torus = plain(SolidKind::Torus);
+  torus.major_radius = 0.5;
+  CHECK(torus.signed_distance({0, 0, 0}) < 0);
+  CHECK(torus.signed_distance({0, 0, 0.9}) > 0);
+}
+
+TEST_CASE("local coordinates are rotated first and shifted after") {
+  Literal s = plain(SolidKind::Box);
+  s.rotation = Eigen::AngleAxisd(kPi / 2, Vec3::UnitZ()).toRotationMatrix();
+  s.origin = Vec3(10, 0, 0);
+  CHECK((s.to_world(Vec3::Zero()) - Vec3(0, 10, 0)).norm() < 1e-12);
+  CHECK(s.to_local(s.to_world(Vec3(1, 2, 3))).isApprox(Vec3(1, 2, 3)));
+  CHECK(s.signed_distance({-2, 11, 3}) == doctest::Approx(-1));
+}
+
+TEST_CASE("no point further out than its distance is inside, and none further in outside") {
+  Rng rng(11);
+  for (int i = 0; i < 300; ++i) {
+    const Literal s = testing::random_literal(rng);
+    for (int k = 0; k < 30; ++k) {
+      const Vec3 x = testing::random_point(rng, 3);
+      const double d = s.signed_distance(x);
+      const Vec3 y = x + testing::random_point(rng, 1).normalized() * (0.999 * std::abs(d));
+      CHECK((s.signed_distance(y) < 0) == (d < 0));
+    }
+  }
+}
+
+TEST_CASE("the bounds hold the solid and touch it") {
+  Rng rng(12);
+  for (int i = 0; i < 200; ++i) {
+    const Literal s = testing::random_literal(rng);
+    const Box3 box = s.bounds();
+    for (int k = 0; k < 200; ++k) {
+      const Vec3 x = testing::random_point(rng, 4);
+      if (s.signed_distance(x) < 0) CHECK(box.contains(x, 1e-12));
+    }
+    // Each side of a tight box has a point of the solid: its distance falls to zero there.
+    for (int axis = 0; axis < 3; ++axis) {
+      double least = kInfinity;
+      const int u = (axis + 1) % 3;
+      const int v = (axis + 2) % 3;
+      for (int k = 0; k <= 40 * 40; ++k) {
+        Vec3 x = box.lo;
+        x[u] += box.size()[u] * (k % 41) / 40;
+        x[v] += box.size()[v] * (k / 41) / 40;
+        least = std::min(least, s.signed_distance(x));
+      }
+      CHECK(least >= -1e-12);
+      CHECK(least < 0.1);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hewn
