@@ -2,6 +2,7 @@
 /// Regularised surfaces: the distinct halfspaces of a part with clean directions and round values.
 #include <vector>
 
+#include "core/base/option_table.h"
 #include "core/base/result.h"
 #include "core/base/run_context.h"
 #include "core/csg/literal.h"
@@ -35,8 +36,18 @@ struct SurfaceSet {
 };
 
 struct RegulariseOptions {
-  // Tolerances as shares of the bounding-box diagonal; see the option table.
+  /// Largest shift by which directions are made parallel or orthogonal and surfaces are merged, as
+  /// a share of the bounding-box diagonal.
+  double snap_distance = 1.5e-4;
+  /// Largest turn for that, however small the surface.
+  double max_turn_deg = 0.57;
+  /// Values snap to round ones within this many standard deviations of the fit.
+  double round_deviations = 4;
+  bool round_values = true;
 };
+
+template <>
+std::span<const OptionField<RegulariseOptions>> option_table<RegulariseOptions>();
 
 /// Makes surfaces parallel, orthogonal, coaxial, coplanar and equal, and snaps values to round
 /// ones, each only within the fits' own tolerance.

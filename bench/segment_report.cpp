@@ -1,0 +1,131 @@
+/// Prints one line for each mesh file: groups, kinds, explained share, deviations and time.
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "core/fit/surface_set.h"
+#include "core/segment/segment.h"
+
+namespace hewn {
+namespace {
+
+Mesh read_off(const std::string& path) {
+  std::ifstream in(path);
+  std::string magic;
+  int nv = 0, nf = 0, ne = 0;
+  in >> magic >> nv >> nf >> ne;
+  std::vector<Vec3> raw(nv), vertices;
+  Box3 box;
+  for (Vec3& p : raw) {
+    in >> p[0] >> p[1] >> p[2];
+    box.extend(p);
+  }
+  const double q = 1e-6 * box.diagonal();
+  std::map<std::array<long long, 3>, int> seen;
+  std::vector<int> id(nv);
+  for (int i = 0; i < nv; ++i) {
+    const Vec3 d = (raw[i] - box.lo) / q;
+    const std::array<long long, 3> key = {std::llround(d[0]), std::llround(d[1]),
+                                          std::llround(d[2])};
+    const auto [it, fresh] = seen.emplace(key, static_cast<int>(vertices.size()));
+    if (fresh) vertices.push_back(raw[i]);
+    id[i] = it->second;
+  }
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < nf; ++i) {
+    int k = 0;
+    in >> k;
+    std::vector<int> c(k);
+    for (int& x : c) in >> x;
+    for (int j = 2; j < k; ++j) {
+      const Triangle t = {id[c[0]], id[c[j - 1]], id[c[j]]};
+      if (t[0] != t[1] && t[1] != t[2] && t[0] != t[2]) triangles.push_back(t);
+    }
+  }
+  Mesh mesh = make_mesh(vertices, triangles);
+  if (mesh.volume < 0) {
+    for (Triangle& t : triangles) std::swap(t[1], t[2]);
+    mesh = make_mesh(vertices, triangles);
+  }
+  return mesh;
+}
+
+void report(const std::string& path, bool verbose) {
+  const Mesh mesh = read_off(path);
+  const auto start = std::chrono::steady_clock::now();
+  const RunContext run;
+  const auto result = segment(mesh, {}, run);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const std::string name = std::filesystem::path(path).stem().string();
+  if (!result) {
+    fmt::print("{} {}\n", name, result.error().message);
+    return;
+  }
+  const auto middle = std::chrono::steady_clock::now();
+  const auto regular = regularise(mesh, *result, {}, run);
+  const double seconds2 =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - middle).count();
+  const double d = mesh.diagonal();
+  std::array<int, 5> kinds{};
+  double worst = 0, explained = 0;
+  for (const Halfspace& h : regular->halfspaces) ++kinds[static_cast<int>(h.surface.kind)];
+  for (std::size_t i = 0; i < result->groups.size(); ++i) {
+    const FaceGroup& g = result->groups[i];
+    worst = std::max(worst, g.rms_deviation / d);
+    const int h = regular->halfspace_of_group[i];
+    if (h < 0) continue;
+    for (const int t : g.triangles) {
+      bool on = true;
+      for (const int v : mesh.triangles[t]) {
+        on = on &&
+             std::abs(regular->halfspaces[h].surface.signed_distance(mesh.vertices[v])) <= 1e-3 * d;
+      }
+      if (on) explained += mesh.areas[t];
+    }
+  }
+  const int curved = kinds[1] + kinds[2] + kinds[3] + kinds[4];
+  fmt::print(
+      "{} T {} facets {} groups {} surf {} (curved {}: plane {} sphere {} cyl {} cone {} torus {}) "
+      "dirs {} expl {:.4f} "
+      "rms {:.1e} noise {:.1e} {:.3f} + {:.3f} s\n",
+      name, mesh.triangles.size(), result->facets.size(), result->groups.size(),
+      regular->halfspaces.size(), curved, kinds[0], kinds[1], kinds[2], kinds[3], kinds[4],
+      regular->directions.size(), explained / mesh.total_area, worst, result->noise / d, seconds,
+      seconds2);
+  if (!verbose) return;
+  for (const Halfspace& h : regular->halfspaces) {
+    const Surface& s = h.surface;
+    fmt::print(
+        "  H {:8} area {:.2e} tol {:.1e} off {:.1e} p ({:.9g} {:.9g} {:.9g}) a ({:.9g} "
+        "{:.9g} {:.9g}) o {:.9g} r {:.9g} R {:.9g} al {:.9g} sides {} {:.4f} {} {:.4f}\n",
+        name_of(s.kind), h.area / mesh.total_area, h.tolerance / d, h.mean_offset / d, s.point.x(),
+        s.point.y(), s.point.z(), s.axis.x(), s.axis.y(), s.axis.z(), s.offset, s.radius,
+        s.major_radius, s.half_angle_rad * 180 / kPi, h.facets.sides,
+        h.facets.phase_rad * 180 / kPi, h.facets.tube_sides, h.facets.tube_phase_rad * 180 / kPi);
+  }
+  for (const FaceGroup& g : result->groups) {
+    const Surface& s = g.surface;
+    fmt::print(
+        "  {:8} n {:5} area {:.2e} max {:.1e} rms {:.1e} p ({:.5f} {:.5f} {:.5f}) a ({:.5f} "
+        "{:.5f} {:.5f}) o {:.5f} r {:.6f} R {:.6f} al {:.4f} {}\n",
+        name_of(s.kind), g.triangles.size(), g.area / mesh.total_area, g.max_deviation / d,
+        g.rms_deviation / d, s.point.x(), s.point.y(), s.point.z(), s.axis.x(), s.axis.y(),
+        s.axis.z(), s.offset, s.radius, s.major_radius, s.half_angle_rad * 180 / kPi,
+        g.is_fitted ? "" : "UNFITTED");
+  }
+}
+
+}  // namespace
+}  // namespace hewn
+
+int main(int argc, char** argv) {
+  const bool verbose = argc > 1 && std::string(argv[1]) == "-v";
+  for (int i = verbose ? 2 : 1; i < argc; ++i) hewn::report(argv[i], verbose);
+}

@@ -1,0 +1,28 @@
+#pragma once
+/// What regularisation knows about each face group: its fit, the vertices that carry it, and how
+/// exact it is.
+#include <vector>
+
+#include "core/fit/face_groups.h"
+#include "core/fit/gauss_newton.h"
+
+namespace hewn {
+
+struct FitItem {
+  int group = 0;
+  Surface surface;
+  /// Vertices that lie on the surface within the noise when enough do (others were cut by
+  /// neighbouring faces and lie on chords), else all vertices.
+  std::vector<Vec3> points;
+  Vec3 center = Vec3::Zero();  ///< area-weighted, of the group's triangles
+  double sigma = 0;            ///< deviation of `points`
+  double extent = 0;           ///< diagonal of the group's box
+  double area = 0;
+  int direction = -1;
+  FitDeviation deviation;
+};
+
+/// One item for each fitted group that is not negligible, largest area first.
+std::vector<FitItem> collect_items(const Mesh& mesh, const Segmentation& segmentation);
+
+}  // namespace hewn

@@ -1,0 +1,165 @@
+#include <algorithm>
+
+#include "core/fit/axis_lines.h"
+#include "core/fit/directions.h"
+#include "core/fit/fit_items.h"
+#include "core/fit/surface_set.h"
+#include "core/fit/tessellation.h"
+
+namespace hewn {
+namespace {
+
+constexpr double kMinConeAngle = kPi / 180;  // flatter flanks are cylinders
+constexpr double kMaxTolerance = 4e-3;       // shares of the diagonal
+constexpr double kMinTolerance = 1e-5;
+constexpr double kSameAngle = 0.003;  // radians, of merged cones
+
+/// A cone so steep that it is a cylinder of its mean radius.
+void replace_steep_cone(FitItem& item) {
+  Surface& s = item.surface;
+  if (s.kind != SurfaceKind::Cone || s.half_angle_rad >= kMinConeAngle) return;
+  double sum = 0;
+  for (const Vec3& p : item.points) {
+    const Vec3 d = p - s.point;
+    sum += (d - s.axis * s.axis.dot(d)).norm();
+  }
+  s.kind = SurfaceKind::Cylinder;
+  s.radius = sum / static_cast<double>(item.points.size());
+  s.point += s.axis * s.axis.dot(item.center - s.point);
+}
+
+/// Whether two surfaces of one kind and direction are the same within `reach`.
+bool is_same(const Surface& a, const Surface& b, double reach) {
+  const double apart = (a.point - b.point).norm();
+  switch (a.kind) {
+    case SurfaceKind::Plane:
+      return std::abs(a.offset - b.offset) < reach;
+    case SurfaceKind::Sphere:
+    case SurfaceKind::Cylinder:
+      return apart < 2 * reach && std::abs(a.radius - b.radius) < 2 * reach;
+    case SurfaceKind::Cone:
+      return apart < 6 * reach && a.axis.dot(b.axis) > 0 &&
+             std::abs(a.half_angle_rad - b.half_angle_rad) < kSameAngle;
+    case SurfaceKind::Torus:
+      return apart < 3 * reach && std::abs(a.radius - b.radius) < 2 * reach &&
+             std::abs(a.major_radius - b.major_radius) < 2 * reach;
+  }
+  return false;
+}
+
+/// Mean signed distance over a triangle: exact for quadratic functions.
+double mean_distance(const Surface& s, const Mesh& mesh, int t) {
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    sum += s.signed_distance((mesh.corner(t, k) + mesh.corner(t, (k + 1) % 3)) / 2);
+  }
+  return sum / 3;
+}
+
+class SetBuilder {
+ public:
+  SetBuilder(const Mesh& mesh, const Segmentation& segmentation, double reach)
+      : mesh_(mesh), segmentation_(segmentation), reach_(reach) {
+    set_.halfspace_of_group.assign(segmentation.groups.size(), -1);
+  }
+
+  void add(const FitItem& item) {
+    int found = -1;
+    for (int k = 0; k < static_cast<int>(set_.halfspaces.size()) && found < 0; ++k) {
+      const Halfspace& h = set_.halfspaces[k];
+      const bool comparable = h.surface.kind == item.surface.kind && h.direction == item.direction;
+      if (comparable && is_same(h.surface, item.surface, reach_)) found = k;
+    }
+    if (found < 0) {
+      found = static_cast<int>(set_.halfspaces.size());
+      Halfspace h;
+      h.surface = item.surface;
+      h.direction = item.direction;
+      set_.halfspaces.push_back(h);
+      groups_.push_back({});
+      sigma_.push_back(item.sigma);
+    } else if (item.sigma < 0.1 * sigma_[found]) {
+      set_.halfspaces[found].surface = item.surface;
+      sigma_[found] = item.sigma;
+    }
+    set_.halfspaces[found].area += item.area;
+    set_.halfspace_of_group[item.group] = found;
+    groups_[found].push_back(item.group);
+  }
+
+  SurfaceSet finish(std::vector<Vec3> directions) {
+    set_.directions = std::move(directions);
+    for (std::size_t k = 0; k < set_.halfspaces.size(); ++k) {
+      measure(set_.halfspaces[k], groups_[k]);
+      set_.halfspaces[k].facets =
+          detect_tessellation(set_.halfspaces[k].surface, groups_[k], mesh_, segmentation_);
+    }
+    double explained = 0;
+    for (const Halfspace& h : set_.halfspaces) explained += h.area;
+    set_.unexplained_area = std::clamp(1 - explained / mesh_.total_area, 0.0, 1.0);
+    return std::move(set_);
+  }
+
+ private:
+  void measure(Halfspace& h, const std::vector<int>& groups) const {
+    double worst = 0, sum = 0, area = 0;
+    for (const int g : groups) {
+      for (const int t : segmentation_.groups[g].triangles) {
+        for (const int v : mesh_.triangles[t]) {
+          worst = std::max(worst, std::abs(h.surface.signed_distance(mesh_.vertices[v])));
+        }
+        // A sliver's centre tells nothing, and its normal even less.
+        if (mesh_.areas[t] <= 0) continue;
+        worst = std::max(worst, std::abs(h.surface.signed_distance(mesh_.centroid(t))));
+        sum += mesh_.areas[t] * mean_distance(h.surface, mesh_, t);
+        area += mesh_.areas[t];
+      }
+    }
+    const double diagonal = mesh_.diagonal();
+    h.tolerance = std::min(worst, kMaxTolerance * diagonal) * 1.05 + kMinTolerance * diagonal;
+    h.mean_offset = h.surface.kind == SurfaceKind::Plane || area <= 0 ? 0 : sum / area;
+  }
+
+  const Mesh& mesh_;
+  const Segmentation& segmentation_;
+  double reach_;
+  SurfaceSet set_;
+  std::vector<std::vector<int>> groups_;
+  std::vector<double> sigma_;
+};
+
+}  // namespace
+
+template <>
+std::span<const OptionField<RegulariseOptions>> option_table<RegulariseOptions>() {
+  using O = RegulariseOptions;
+  static constexpr OptionField<O> kFields[] = {
+      {"snap-distance", &O::snap_distance, 0, 1e-2,
+       "shift by which surfaces are made parallel or merged, as a share of the diagonal"},
+      {"max-turn", &O::max_turn_deg, 0, 5,
+       "degrees by which a small surface may be turned to be parallel"},
+      {"round-deviations", &O::round_deviations, 0, 20,
+       "standard deviations of the fit within which values become round"},
+      {"round-values", &O::round_values, 0, 1, "snap radii, positions and angles to round values"},
+  };
+  return kFields;
+}
+
+Result<SurfaceSet> regularise(const Mesh& mesh, const Segmentation& segmentation,
+                              const RegulariseOptions& options, const RunContext& run) {
+  run.report("regularise", 0);
+  const double diagonal = mesh.diagonal();
+  std::vector<FitItem> items = collect_items(mesh, segmentation);
+  if (run.is_cancelled()) return RunContext::cancelled();
+  for (FitItem& item : items) replace_steep_cone(item);
+  std::vector<Vec3> directions = assign_directions(items, diagonal, options);
+  settle_positions(items, directions, diagonal, segmentation.noise, options);
+  settle_sizes(items, segmentation.noise, options);
+  if (run.is_cancelled()) return RunContext::cancelled();
+  SetBuilder builder(mesh, segmentation, options.snap_distance * diagonal);
+  for (const FitItem& item : items) builder.add(item);
+  run.report("regularise", 1);
+  return builder.finish(std::move(directions));
+}
+
+}  // namespace hewn

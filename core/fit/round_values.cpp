@@ -1,0 +1,36 @@
+#include "core/fit/round_values.h"
+
+#include <cmath>
+
+#include "core/base/math.h"
+
+namespace hewn {
+namespace {
+
+// A step this much coarser than the tolerance is hit by chance once in ten times.
+constexpr double kMinStep = 20;
+
+}  // namespace
+
+double round_value(double value, double tolerance) {
+  if (!(tolerance > 0) || !std::isfinite(tolerance) || !std::isfinite(value)) return value;
+  if (std::abs(value) <= tolerance) return 0;
+  const int first = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+  const int last = static_cast<int>(std::floor(std::log10(kMinStep * tolerance)));
+  for (int exponent = first; exponent >= last; --exponent) {
+    // Dividing by an exact power of ten gives the double nearest to the decimal.
+    const double unit = std::pow(10.0, std::abs(exponent));
+    const double rounded =
+        exponent < 0 ? std::round(value * unit) / unit : std::round(value / unit) * unit;
+    if (std::abs(rounded - value) <= tolerance) return rounded;
+  }
+  return value;
+}
+
+double round_angle(double angle_rad, double tolerance_rad) {
+  const double degrees = angle_rad * 180 / kPi;
+  const double rounded = round_value(degrees, tolerance_rad * 180 / kPi);
+  return rounded == degrees ? angle_rad : rounded * kPi / 180;
+}
+
+}  // namespace hewn

@@ -1,0 +1,14 @@
+#pragma once
+/// Snapping measured values to the round ones that a designer types.
+namespace hewn {
+
+/// The decimal with the fewest digits within `tolerance` of `value`, or `value` itself when no
+/// decimal much coarser than the tolerance is that close. Decimal places count relative to powers
+/// of ten, so that a part in metres rounds like one in millimetres. Never moves further than
+/// `tolerance`.
+double round_value(double value, double tolerance);
+
+/// The same for an angle, rounded in degrees.
+double round_angle(double angle_rad, double tolerance_rad);
+
+}  // namespace hewn

@@ -1,0 +1,71 @@
+#pragma once
+/// Fitting surfaces to sets of facets: gathers their corners and normals, and measures the outcome.
+#include <span>
+#include <vector>
+
+#include "core/csg/surface.h"
+#include "core/segment/facets.h"
+
+namespace hewn {
+
+/// Lengths that decide what lies on a surface, model units.
+struct SurfaceTolerance {
+  double diagonal = 0;
+  double noise = 0;  ///< standard deviation of vertices about their surface
+  double eps = 0;    ///< what two vertices of one exact surface may differ by
+};
+
+/// How a surface meets facets.
+struct FitQuality {
+  double max_distance = 0;   ///< of corners
+  double rms_distance = 0;   ///< of corners
+  double max_angle_rad = 0;  ///< between the surface's gradient and a facet's normal
+  double sagitta = 0;        ///< largest distance of a facet's centre
+};
+
+struct FacetFitSettings {
+  int max_iterations = 8;
+  bool is_robust = false;
+  double normal_weight = 0;
+};
+
+/// Not thread-safe: holds scratch memory. Facets are given by index, each at most once.
+class FacetFitter {
+ public:
+  FacetFitter(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance);
+
+  /// The facets' corners, each once, ascending; at most `limit`, evenly picked.
+  std::vector<Vec3> corner_points(std::span<const int> facets, std::size_t limit);
+  std::vector<int> corner_indices(std::span<const int> facets);
+
+  /// First guesses for a patch.
+  std::vector<Surface> guess(std::span<const int> facets);
+  /// Gauss-Newton on the corners. False when the fit degenerates.
+  bool refine(Surface& surface, std::span<const int> facets, const FacetFitSettings& settings);
+  /// Fits a cylinder to the facets' planes instead of their corners: all planes of a regular
+  /// tessellation touch the inscribed circle, however the facets are trimmed. Returns the root mean
+  /// square of the planes' deviation (infinite: too few planes); moves `cylinder` only when its
+  /// corners are off and the planes agree.
+  double refine_on_planes(Surface& cylinder, std::span<const int> facets,
+                          const FitQuality& quality);
+  FitQuality evaluate(const Surface& surface, std::span<const int> facets) const;
+  /// Largest distance of a facet's corners.
+  double max_distance(const Surface& surface, int facet) const;
+
+  /// Too small for its normal to mean anything.
+  bool is_tiny(int facet) const;
+  /// Large enough for its normal to be trusted.
+  bool is_solid(int facet) const;
+
+ private:
+  const Mesh& mesh_;
+  const FacetGraph& graph_;
+  SurfaceTolerance tolerance_;
+  std::vector<int> stamp_of_vertex_, stamp_of_facet_;
+  int stamp_ = 0;
+};
+
+/// Angle between two directions regardless of their sign, [0, pi/2].
+double unsigned_angle(const Vec3& a, const Vec3& b);
+
+}  // namespace hewn

@@ -1,0 +1,70 @@
+#pragma once
+/// Planar facets: what the designer's tessellator emitted as one flat face, and their adjacency.
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/fit/face_groups.h"
+#include "core/mesh/mesh.h"
+
+namespace hewn {
+
+/// Across each side of each triangle lies one other triangle, or none (-1) on open and non-manifold
+/// edges. Side k joins corners k and k + 1. Cost: O(n log n).
+std::vector<std::array<int, 3>> triangle_neighbors(const Mesh& mesh);
+
+/// Lengths, in model units, that decide which triangles lie in one plane.
+struct FacetTolerance {
+  double plane = 0;  ///< largest distance of a vertex from the facet's plane
+  double noise = 0;  ///< standard deviation of a vertex about its true plane
+};
+
+/// A neighbouring facet across a common rim.
+struct FacetNeighbor {
+  int facet = 0;
+  double angle_rad = 0;  ///< between the two normals
+  double length = 0;     ///< of the common rim
+};
+
+/// Facets with their corners and neighbours. Treat as immutable once built.
+struct FacetGraph {
+  std::vector<Facet> facets;
+  std::vector<int> facet_of_triangle;
+  /// How far the facet's normal may be off through the vertices' noise, radians.
+  std::vector<double> normal_error_rad;
+
+  /// Corners where three facets meet, ascending: they lie on the true surface, while other rim
+  /// vertices lie on a chord. All vertices for a facet with fewer than three corners.
+  std::span<const int> corners(int facet) const { return slice(corners_, corner_begin_, facet); }
+  /// All vertices of the facet, ascending.
+  std::span<const int> vertices(int facet) const { return slice(vertices_, vertex_begin_, facet); }
+  std::span<const FacetNeighbor> neighbors(int facet) const {
+    return slice(neighbors_, neighbor_begin_, facet);
+  }
+  int size() const { return static_cast<int>(facets.size()); }
+
+ private:
+  friend FacetGraph build_facets(const Mesh&, const std::vector<std::array<int, 3>>&,
+                                 const FacetTolerance&);
+  template <class T>
+  static std::span<const T> slice(const std::vector<T>& all, const std::vector<int>& begin, int i) {
+    return {all.data() + begin[i], static_cast<std::size_t>(begin[i + 1] - begin[i])};
+  }
+  void collect_vertices(const Mesh& mesh);
+  void collect_corners(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors);
+  void collect_neighbors(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors);
+
+  std::vector<int> vertices_, vertex_begin_, corners_, corner_begin_, neighbor_begin_;
+  std::vector<FacetNeighbor> neighbors_;
+};
+
+/// Merges coplanar neighbours, largest triangles first. Cost: O(n log n).
+FacetGraph build_facets(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors,
+                        const FacetTolerance& tolerance);
+
+/// Estimates the standard deviation of the vertices about the planes and surfaces they were sampled
+/// from, model units: the pooled residual of planes fitted to overdetermined facets. Never below
+/// the rounding of the coordinates.
+double estimate_noise(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors);
+
+}  // namespace hewn

@@ -1,0 +1,121 @@
+#include "core/segment/leftovers.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace hewn {
+namespace {
+
+constexpr double kSliverArea = 1e-8;      // shares of the squared diagonal
+constexpr double kSliverDistance = 1e-3;  // shares of the diagonal
+constexpr double kPatchDistance = 5e-4;
+constexpr double kMaxTurn = 0.5;     // radians, across a rim inside a flat patch
+constexpr double kMaxTilt = 0.06;    // radians, of a facet that is not small
+constexpr double kSmallArea = 1e-5;  // may be tilted: its corners decide
+constexpr double kMinSeedCosine = 0.99;
+
+class PlaneCollector {
+ public:
+  PlaneCollector(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
+                 std::vector<int>& group_of_facet)
+      : mesh_(mesh),
+        graph_(graph),
+        tolerance_(tolerance),
+        fitter_(mesh, graph, tolerance),
+        group_of_(group_of_facet),
+        stamp_of_(graph.facets.size(), 0) {}
+
+  GrownGroup collect(int seed) {
+    GrownGroup group;
+    group.surface = plane_of(seed);
+    group.facets = {seed};
+    for (int pass = 0; pass < 2; ++pass) {
+      flood(seed, group);
+      if (group.facets.size() > 1) fitter_.refine(group.surface, group.facets, {4, false, 0});
+      if (group.surface.axis.dot(graph_.facets[seed].normal) < kMinSeedCosine) break;
+    }
+    if (group.facets.size() == 1) group.surface = plane_of(seed);
+    return group;
+  }
+
+ private:
+  /// The facet's own plane: its normal is area-weighted, so more exact than any fit to corners.
+  Surface plane_of(int f) const {
+    Surface s;
+    s.axis = graph_.facets[f].normal;
+    double sum = 0;
+    for (const int v : graph_.vertices(f)) sum += s.axis.dot(mesh_.vertices[v]);
+    s.offset = sum / static_cast<double>(graph_.vertices(f).size());
+    return s;
+  }
+
+  void flood(int seed, GrownGroup& group) {
+    ++stamp_;
+    group.facets.assign(1, seed);
+    stamp_of_[seed] = stamp_;
+    for (std::size_t i = 0; i < group.facets.size(); ++i) {
+      for (const FacetNeighbor& n : graph_.neighbors(group.facets[i])) {
+        if (group_of_[n.facet] >= 0 || stamp_of_[n.facet] == stamp_) continue;
+        if (n.angle_rad > kMaxTurn || !lies_on(group.surface, n.facet)) continue;
+        stamp_of_[n.facet] = stamp_;
+        group.facets.push_back(n.facet);
+      }
+    }
+  }
+
+  bool lies_on(const Surface& plane, int f) const {
+    if (fitter_.max_distance(plane, f) > kPatchDistance * tolerance_.diagonal) return false;
+    const Facet& facet = graph_.facets[f];
+    return angle_between(facet.normal, plane.axis) <= kMaxTilt ||
+           facet.area <= kSmallArea * tolerance_.diagonal * tolerance_.diagonal;
+  }
+
+  const Mesh& mesh_;
+  const FacetGraph& graph_;
+  SurfaceTolerance tolerance_;
+  FacetFitter fitter_;
+  std::vector<int>& group_of_;
+  std::vector<int> stamp_of_;
+  int stamp_ = 0;
+};
+
+}  // namespace
+
+void absorb_slivers(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
+                    std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet) {
+  const FacetFitter fitter(mesh, graph, tolerance);
+  const double max_area = kSliverArea * tolerance.diagonal * tolerance.diagonal;
+  for (int f = 0; f < graph.size(); ++f) {
+    if (group_of_facet[f] >= 0 || graph.facets[f].area >= max_area) continue;
+    for (const FacetNeighbor& n : graph.neighbors(f)) {
+      const int g = group_of_facet[n.facet];
+      if (g < 0) continue;
+      if (fitter.max_distance(groups[g].surface, f) > kSliverDistance * tolerance.diagonal) {
+        continue;
+      }
+      group_of_facet[f] = g;
+      groups[g].facets.push_back(f);
+      break;
+    }
+  }
+}
+
+Result<void> plane_leftovers(const Mesh& mesh, const FacetGraph& graph,
+                             const SurfaceTolerance& tolerance, std::vector<GrownGroup>& groups,
+                             std::vector<int>& group_of_facet, const RunContext& run) {
+  std::vector<int> order(graph.facets.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return graph.facets[a].area > graph.facets[b].area; });
+  PlaneCollector collector(mesh, graph, tolerance, group_of_facet);
+  for (const int f : order) {
+    if (run.is_cancelled()) return RunContext::cancelled();
+    if (group_of_facet[f] >= 0 || graph.facets[f].area <= 0) continue;
+    GrownGroup group = collector.collect(f);
+    for (const int member : group.facets) group_of_facet[member] = static_cast<int>(groups.size());
+    groups.push_back(std::move(group));
+  }
+  return {};
+}
+
+}  // namespace hewn

@@ -1,0 +1,21 @@
+#pragma once
+/// What no curved surface took: slivers, planes, and patches that are flat but for noise.
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/run_context.h"
+#include "core/segment/curved_growth.h"
+
+namespace hewn {
+
+/// Gives slivers without a usable normal to a curved neighbour on whose surface they lie.
+void absorb_slivers(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
+                    std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet);
+
+/// Turns every free facet into a plane, largest first, together with free neighbours that are
+/// coplanar but for noise.
+Result<void> plane_leftovers(const Mesh& mesh, const FacetGraph& graph,
+                             const SurfaceTolerance& tolerance, std::vector<GrownGroup>& groups,
+                             std::vector<int>& group_of_facet, const RunContext& run);
+
+}  // namespace hewn
