@@ -5,6 +5,7 @@
 #include "core/base/run_context.h"
 #include "core/fit/face_groups.h"
 #include "core/mesh/mesh.h"
+#include "core/segment/curvature/curvature_options.h"
 
 namespace hewn {
 
@@ -23,6 +24,9 @@ struct SegmentOptions {
   double max_looseness = 3;         ///< deviation against a tenth of the facets' depth
   int seeds = 8;                    ///< tried for each group
   int max_failures = 12;            ///< rounds of seeds in vain before a component is given up
+
+  /// Of the other method; its fields have an option table of their own.
+  CurvatureOptions curvature;
 };
 
 template <>

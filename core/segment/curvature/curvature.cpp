@@ -1,10 +1,13 @@
 #include "core/segment/curvature/curvature.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
 #include "core/segment/curvature/flood_regions.h"
 #include "core/segment/curvature/resolve_regions.h"
+#include "core/segment/facets.h"
+#include "core/segment/segment.h"
 
 namespace hewn {
 namespace {
@@ -64,6 +67,22 @@ Result<Segmentation> segment_by_curvature(const Mesh& mesh, const CurvatureOptio
                                   : grow_fitted_regions(stages, everything, options, run);
   if (!regions) return regions.error();
   return resolve_regions(stages, *regions, options, run);
+}
+
+Result<Segmentation> segment_by_curvature(const Mesh& mesh, const SegmentOptions& options,
+                                          const RunContext& run) {
+  Result<Segmentation> result = segment_by_curvature(mesh, options.curvature, run);
+  if (!result) return result;
+  const auto neighbors = triangle_neighbors(mesh);
+  const double diagonal = mesh.diagonal();
+  result->noise = options.noise > 0 ? options.noise * diagonal : estimate_noise(mesh, neighbors);
+  const FacetTolerance tolerance{std::max(options.plane_tolerance * diagonal, 4.5 * result->noise),
+                                 result->noise};
+  FacetGraph graph = build_facets(mesh, neighbors, tolerance);
+  if (run.is_cancelled()) return RunContext::cancelled();
+  result->facets = std::move(graph.facets);
+  result->facet_of_triangle = std::move(graph.facet_of_triangle);
+  return result;
 }
 
 }  // namespace hewn

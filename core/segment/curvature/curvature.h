@@ -13,13 +13,14 @@ namespace hewn {
 
 struct SegmentOptions;
 
-/// Groups with fitted surfaces, ordered by their lowest triangle; no facets.
+/// Groups with fitted surfaces, ordered by their lowest triangle; noise and facets as for the other
+/// method, so that every later stage can work with the result.
 /// Fails with: BadMesh (no triangle with an area), Cancelled.
 /// Cost: O(n log n) where primitives fit. Same result for any thread count.
 Result<Segmentation> segment_by_curvature(const Mesh& mesh, const SegmentOptions& options,
                                           const RunContext& run);
 
-/// The same with only its own options.
+/// The same without noise and facets.
 Result<Segmentation> segment_by_curvature(const Mesh& mesh, const CurvatureOptions& options,
                                           const RunContext& run);
 

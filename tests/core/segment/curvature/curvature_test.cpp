@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "core/segment/segment.h"
 #include "tests/support/solids.h"
 
 namespace hewn {
@@ -137,6 +138,17 @@ TEST_CASE("scale does not change the groups") {
     const Mesh scaled = solids::transformed(mesh, Affine3(Eigen::Scaling(scale)));
     CHECK(segment(scaled, RegionGrowth::Fit).group_of_triangle == groups);
   }
+}
+
+TEST_CASE("the method is chosen by its option and fills in facets") {
+  const Mesh mesh = solids::plate_with_hole({6, 5, 1}, 1.25, 48, 1);
+  SegmentOptions options;
+  options.method = static_cast<int>(SegmentMethod::Curvature);
+  const auto s = hewn::segment(mesh, options, {});
+  REQUIRE(s.has_value());
+  CHECK(s->groups.size() == 7);
+  CHECK(s->facets.size() == 6 + 48);
+  CHECK(s->facet_of_triangle.size() == mesh.triangles.size());
 }
 
 TEST_CASE("an empty mesh is reported, a cancelled run too") {
