@@ -124,6 +124,10 @@ FitLimits fit_limits(const Mesh& mesh, const CurvatureOptions& options) {
           options.fit_normal_deg * kPi / 180};
 }
 
+bool is_flat(const Mesh& mesh, std::span<const int> triangles, const FitLimits& limits) {
+  return keeps_limits(mesh, triangles, mean_plane(mesh, triangles), flat_limits(limits));
+}
+
 Surface mean_plane(const Mesh& mesh, std::span<const int> triangles) {
   Vec3 normal = Vec3::Zero();
   for (const int t : triangles) normal += mesh.areas[t] * mesh.normals[t];
@@ -141,9 +145,8 @@ std::optional<Surface> fit_primitive(const Mesh& mesh, std::span<const int> tria
                                      CurvatureClass curvature, const FitLimits& limits) {
   const Surface plane = mean_plane(mesh, triangles);
   const bool wants_plane = curvature == CurvatureClass::Planar;
-  if (keeps_limits(mesh, triangles, plane, wants_plane ? limits : flat_limits(limits))) {
-    return plane;
-  }
+  if (wants_plane && keeps_limits(mesh, triangles, plane, limits)) return plane;
+  if (is_flat(mesh, triangles, limits)) return plane;
   const Samples samples = samples_of(mesh, triangles);
   if (wants_plane || samples.normals.size() < 2 || samples.points.size() < 4) return std::nullopt;
   const std::vector<Surface> guesses =

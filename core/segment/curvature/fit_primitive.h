@@ -29,6 +29,9 @@ FitLimits fit_limits(const Mesh& mesh, const CurvatureOptions& options);
 std::optional<Surface> fit_primitive(const Mesh& mesh, std::span<const int> triangles,
                                      CurvatureClass curvature, const FitLimits& limits);
 
+/// Whether the triangles lie in one plane within what rounding explains.
+bool is_flat(const Mesh& mesh, std::span<const int> triangles, const FitLimits& limits);
+
 /// The plane through the mean of the vertices along the area-weighted sum of the normals.
 Surface mean_plane(const Mesh& mesh, std::span<const int> triangles);
 

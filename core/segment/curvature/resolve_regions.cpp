@@ -38,6 +38,22 @@ class Resolver {
     }
   }
 
+  /// A loose fit over a plane and the fillet beside it keeps the plane when another region takes
+  /// the fillet: each connected part that is left of a curved region is a plane if it is flat.
+  void flatten_remains() {
+    std::vector<int> part_of(region_of_.size(), -1);
+    for (int t = 0; t < static_cast<int>(region_of_.size()); ++t) {
+      const int region = region_of_[t];
+      if (region < 0 || part_of[t] >= 0 || surfaces_[region].kind == SurfaceKind::Plane) continue;
+      const auto is_same = [&](int, int, int other) { return region_of_[other] == region; };
+      const std::vector<int> part = component(t, is_same, part_of, t);
+      if (!is_flat(mesh_, part, limits_)) continue;
+      for (const int member : part) region_of_[member] = static_cast<int>(surfaces_.size());
+      surfaces_.push_back(mean_plane(mesh_, part));
+      is_fitted_.push_back(true);
+    }
+  }
+
   /// Unclaimed triangles join the neighbouring region that they fit best, ring by ring.
   void absorb() {
     std::vector<int> open = triangles_of(-1);
@@ -226,6 +242,7 @@ Result<Segmentation> resolve_regions(const CurvatureStages& stages,
                                      const CurvatureOptions& options, const RunContext& run) {
   Resolver resolver(stages, regions, options);
   resolver.claim(regions);
+  resolver.flatten_remains();
   if (run.is_cancelled()) return RunContext::cancelled();
   resolver.absorb();
   resolver.collect_leftovers();
