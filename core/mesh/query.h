@@ -1,6 +1,7 @@
 #pragma once
 /// Inside tests, rays and closest points on a mesh (Embree).
 #include <memory>
+#include <vector>
 
 #include "core/base/rng.h"
 #include "core/mesh/mesh.h"
@@ -33,6 +34,9 @@ class MeshQuery {
   bool contains(const Vec3& p) const;
   ClosestPoint closest(const Vec3& p) const;
   RayHit cast(const Vec3& origin, const Vec3& direction) const;
+  /// Appends every triangle that the segment from `a` to `b` passes or (to single precision)
+  /// touches, in no particular order.
+  void crossed_by(const Vec3& a, const Vec3& b, std::vector<int>& triangles) const;
   /// Distance to the surface, negative inside.
   double signed_distance(const Vec3& p) const;
   const Mesh& mesh() const;

@@ -1,0 +1,44 @@
+#pragma once
+/// The repairs and checks that `repair_mesh` runs in turn. Internal to core/mesh.
+#include <vector>
+
+#include "core/mesh/load.h"
+
+namespace hewn {
+
+/// Vertices and triangles under repair. Indices are always in range.
+struct Soup {
+  std::vector<Vec3> vertices;
+  std::vector<Triangle> triangles;
+  double diagonal = 0;
+};
+
+/// Joins vertices closer than `tolerance` (the one with the lowest index stays) and drops unused
+/// ones; returns how many coinciding ones went. Cost: O(n).
+int weld_vertices(Soup& soup, double tolerance);
+
+/// Removes zero-area triangles without opening the surface: one whose corners lie in a row is
+/// replaced by splitting its neighbour across the longest side.
+/// Triangles lower than `tolerance` count as zero-area. Returns the number removed.
+int remove_zero_area(Soup& soup, double tolerance);
+
+/// Removes copies of the same triangle; two that face each other (a sheet of no thickness inside
+/// the solid) both go. Returns the number removed.
+int remove_duplicates(Soup& soup);
+
+/// Turns triangles to agree with their neighbours, closed components outward, and closed
+/// components that lie inside others (cavities) inward. Fills the report's counts and warnings.
+/// Fails with: Cancelled.
+Result<void> orient_triangles(Soup& soup, MeshReport& report, const RunContext& run);
+
+/// Counts components, boundary edges, holes, non-manifold edges; writes the warnings.
+void check_topology(const Soup& soup, MeshReport& report);
+
+/// Pairs of triangles that cross each other, up to `limit`; on big meshes a fixed sample of the
+/// edges is tried. Fails with: Cancelled.
+Result<int> count_self_intersections(const Mesh& mesh, int limit, const RunContext& run);
+
+/// See MeshReport::noise.
+double estimate_noise(const Mesh& mesh);
+
+}  // namespace hewn
