@@ -169,18 +169,22 @@ void settle_positions(std::vector<FitItem>& items, const std::vector<Vec3>& dire
   PositionSettler(items, directions, diagonal, noise, options).run();
 }
 
-void settle_sizes(std::vector<FitItem>& items, double noise, const RegulariseOptions& options) {
+void settle_sizes(std::vector<FitItem>& items, double diagonal, double noise,
+                  const RegulariseOptions& options) {
   std::vector<Size> sizes;
   const auto tolerance = [&](double deviation) {
-    return options.round_deviations * deviation + noise;
+    return std::min(options.round_deviations * deviation + noise,
+                    options.snap_distance * diagonal);
   };
   for (FitItem& item : items) {
     Surface& s = item.surface;
     if (s.kind == SurfaceKind::Plane) continue;
     if (s.kind == SurfaceKind::Cone) {
       if (!options.round_values) continue;
-      const double angle =
-          round_angle(s.half_angle_rad, options.round_deviations * item.deviation.half_angle_rad);
+      const double turn = options.snap_distance * diagonal / std::max(item.extent, 1e-300);
+      const double angle = round_angle(
+          s.half_angle_rad,
+          std::min(options.round_deviations * item.deviation.half_angle_rad, turn));
       if (angle == s.half_angle_rad) continue;
       s.half_angle_rad = angle;
       refit_apex(item);

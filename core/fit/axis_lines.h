@@ -13,6 +13,7 @@ void settle_positions(std::vector<FitItem>& items, const std::vector<Vec3>& dire
                       double diagonal, double noise, const RegulariseOptions& options);
 
 /// Snaps radii and half angles to round values and makes nearly equal ones equal.
-void settle_sizes(std::vector<FitItem>& items, double noise, const RegulariseOptions& options);
+void settle_sizes(std::vector<FitItem>& items, double diagonal, double noise,
+                  const RegulariseOptions& options);
 
 }  // namespace hewn

@@ -95,6 +95,7 @@ class DirectionFinder {
     int largest = 0;
     c.axis.cwiseAbs().maxCoeff(&largest);
     if (c.axis[largest] < 0) c.axis = -c.axis;
+    c.axis += Vec3::Zero();  // no negative zeros
     settled_.push_back(c.axis);
   }
 

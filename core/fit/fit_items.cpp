@@ -6,6 +6,7 @@ namespace hewn {
 namespace {
 
 constexpr double kMinArea = 2e-7;  // share of the mesh's area; smaller groups are splinters
+constexpr double kRounding = 8e-7;  // share of the diagonal
 constexpr std::size_t kMaxPoints = 2000;
 
 /// Collects each group's vertices once; `stamp` marks those seen.
@@ -39,7 +40,7 @@ void select_points(FitItem& item, double exact) {
 }  // namespace
 
 std::vector<FitItem> collect_items(const Mesh& mesh, const Segmentation& segmentation) {
-  const double exact = std::max(4e-6 * mesh.diagonal(), 5 * segmentation.noise);
+  const double exact = std::max(kRounding * mesh.diagonal(), 5 * segmentation.noise);
   std::vector<int> stamp(mesh.vertices.size(), -1);
   std::vector<FitItem> items;
   for (int g = 0; g < static_cast<int>(segmentation.groups.size()); ++g) {

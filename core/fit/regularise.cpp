@@ -154,7 +154,7 @@ Result<SurfaceSet> regularise(const Mesh& mesh, const Segmentation& segmentation
   for (FitItem& item : items) replace_steep_cone(item);
   std::vector<Vec3> directions = assign_directions(items, diagonal, options);
   settle_positions(items, directions, diagonal, segmentation.noise, options);
-  settle_sizes(items, segmentation.noise, options);
+  settle_sizes(items, diagonal, segmentation.noise, options);
   if (run.is_cancelled()) return RunContext::cancelled();
   SetBuilder builder(mesh, segmentation, options.snap_distance * diagonal);
   for (const FitItem& item : items) builder.add(item);

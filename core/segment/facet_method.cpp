@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/fit/gauss_newton.h"
 #include "core/segment/curved_growth.h"
 #include "core/segment/leftovers.h"
 #include "core/segment/polish.h"
@@ -9,10 +10,34 @@
 namespace hewn {
 namespace {
 
+constexpr double kRounded = 1.5e-6;  // share of the diagonal: rounding stays below
+
 SurfaceTolerance surface_tolerance(const Mesh& mesh, double noise, const SegmentOptions& options) {
   const double diagonal = mesh.diagonal();
   // Twice the noise: corners are compared with up to twice eps, that is four standard deviations.
   return {diagonal, noise, std::max(options.vertex_tolerance * diagonal, 2 * noise)};
+}
+
+/// Planes along the coordinate axes hide the rounding of a file's digits, curved surfaces show it:
+/// the median deviation of the groups whose corners agree almost exactly.
+double noise_on_curves(const Mesh& mesh, const std::vector<GrownGroup>& groups,
+                       FacetFitter& fitter, double limit) {
+  std::vector<double> deviations;
+  for (const GrownGroup& g : groups) {
+    if (g.surface.kind == SurfaceKind::Plane) continue;
+    std::vector<Vec3> points;
+    for (const int v : fitter.corner_indices(g.facets)) points.push_back(mesh.vertices[v]);
+    Surface s = g.surface;
+    FitSettings settings;
+    settings.min_decrease = 1e-9;
+    if (!refine_surface(s, {points}, settings)) continue;
+    const double rms = rms_distance(s, points);
+    if (rms < limit) deviations.push_back(rms);
+  }
+  if (deviations.empty()) return 0;
+  const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
+  std::nth_element(deviations.begin(), middle, deviations.end());
+  return *middle;
 }
 
 FaceGroup measured_group(const Mesh& mesh, const FacetGraph& graph, const GrownGroup& grown,
@@ -66,7 +91,7 @@ Result<Segmentation> segment_by_facets(const Mesh& mesh, const SegmentOptions& o
   const double noise =
       options.noise > 0 ? options.noise * mesh.diagonal() : estimate_noise(mesh, neighbors);
   if (run.is_cancelled()) return RunContext::cancelled();
-  const SurfaceTolerance tolerance = surface_tolerance(mesh, noise, options);
+  SurfaceTolerance tolerance = surface_tolerance(mesh, noise, options);
   const FacetTolerance facet_tolerance{
       std::max(options.plane_tolerance * mesh.diagonal(), 4.5 * noise), noise};
   FacetGraph graph = build_facets(mesh, neighbors, facet_tolerance);
@@ -81,6 +106,8 @@ Result<Segmentation> segment_by_facets(const Mesh& mesh, const SegmentOptions& o
   const Result<void> planes = plane_leftovers(mesh, graph, tolerance, groups, group_of, run);
   if (!planes) return planes.error();
   FacetFitter fitter(mesh, graph, tolerance);
+  tolerance.noise =
+      std::max(noise, noise_on_curves(mesh, groups, fitter, kRounded * mesh.diagonal()));
   for (std::size_t g = 0; g < curved; ++g) {
     const std::vector<int> corners = fitter.corner_indices(groups[g].facets);
     std::vector<Vec3> points;

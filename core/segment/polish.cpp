@@ -8,8 +8,9 @@ namespace hewn {
 namespace {
 
 constexpr std::size_t kMaxPoints = 2000;
-constexpr int kRounds = 12;
-constexpr double kShrink = 0.6;
+constexpr int kRounds = 14;
+constexpr double kShrink = 0.55;
+constexpr double kRounding = 1e-7;  // share of the diagonal
 
 FitSettings exact_settings() {
   FitSettings settings;
@@ -50,7 +51,9 @@ std::vector<Vec3> outer_points(const Surface& s, std::span<const Vec3> points, d
 void polish_on_envelope(Surface& surface, std::span<const Vec3> corners,
                         const SurfaceTolerance& tolerance) {
   if (corners.empty()) return;
-  const double exact = std::max(0.2 * tolerance.eps, 1.5 * tolerance.noise);
+  // No curved group told the noise when it is this small: allow for rounded digits.
+  const double noise = std::max(tolerance.noise, kRounding * tolerance.diagonal);
+  const double exact = 1.5 * noise;
   const double before = rms_distance(surface, corners);
   if (before < exact) {
     const std::vector<Vec3> points = thinned(corners);
@@ -60,7 +63,7 @@ void polish_on_envelope(Surface& surface, std::span<const Vec3> corners,
     }
     return;
   }
-  const double min_band = std::max(0.4 * tolerance.eps, 3 * tolerance.noise);
+  const double min_band = 5 * noise;
   const std::size_t enough = std::max<std::size_t>(
       2 * static_cast<std::size_t>(parameter_count(surface.kind)), corners.size() / 8);
   Surface s = surface;
@@ -71,7 +74,7 @@ void polish_on_envelope(Surface& surface, std::span<const Vec3> corners,
     if (kept.size() < enough) return;
     if (!refine_surface(s, {thinned(kept)}, exact_settings())) return;
   }
-  if (rms_distance(s, kept) < 2 * exact) surface = s;
+  if (rms_distance(s, kept) < 4 * noise) surface = s;
 }
 
 }  // namespace hewn
