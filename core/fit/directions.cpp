@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kMinTurn = 1e-4;       // radians: directions closer than this are one
 constexpr double kMinDeviation = 1e-9;  // radians: no fit is more exact
+constexpr double kMaxUncertainTurn = 0.1;  // radians
 constexpr double kExactlyAcross = 1e-14;
 
 struct Cluster {
@@ -57,12 +58,15 @@ class DirectionFinder {
   }
 
  private:
-  double limit(double extent) const {
-    return std::clamp(reach_ / std::max(extent, 1e-300), kMinTurn, max_turn_);
+  /// By how much a surface may turn: its far end stays within reach, or the turn is within the
+  /// fit's own deviation (a narrow face may turn about its long side).
+  double limit(double extent, double deviation) const {
+    const double turn = std::clamp(reach_ / std::max(extent, 1e-300), kMinTurn, max_turn_);
+    return std::max(turn, std::min(options_.round_deviations * deviation, kMaxUncertainTurn));
   }
 
   void join(FitItem& item) {
-    double best = limit(item.extent);
+    double best = limit(item.extent, item.deviation.axis_rad);
     int found = -1;
     for (int k = 0; k < static_cast<int>(clusters_.size()); ++k) {
       const double angle = unsigned_angle(clusters_[k].axis, item.surface.axis);
@@ -90,7 +94,7 @@ class DirectionFinder {
   /// Snaps one cluster to those that are settled.
   void settle(Cluster& c) {
     c.axis = c.sum.normalized();
-    const double allowed = limit(c.extent);
+    const double allowed = limit(c.extent, c.deviation());
     if (const std::optional<Vec3> snapped = orthogonal(c, allowed)) c.axis = *snapped;
     int largest = 0;
     c.axis.cwiseAbs().maxCoeff(&largest);

@@ -103,6 +103,7 @@ Result<Segmentation> segment_by_facets(const Mesh& mesh, const SegmentOptions& o
   std::vector<GrownGroup>& groups = *grown;
   const std::size_t curved = groups.size();
   absorb_slivers(mesh, graph, tolerance, groups, group_of);
+  adopt_facets(mesh, graph, tolerance, groups, group_of);
   const Result<void> planes = plane_leftovers(mesh, graph, tolerance, groups, group_of, run);
   if (!planes) return planes.error();
   FacetFitter fitter(mesh, graph, tolerance);

@@ -319,6 +319,33 @@ FacetGraph build_facets(const Mesh& mesh, const std::vector<std::array<int, 3>>&
   return graph;
 }
 
+double coordinate_rounding(const Mesh& mesh) {
+  constexpr std::size_t kSample = 2000;
+  constexpr int kMaxDigits = 7;
+  const std::size_t step = std::max<std::size_t>(1, mesh.vertices.size() / kSample);
+  double largest = 0;
+  bool is_single = true;
+  int digits = 0;
+  for (std::size_t i = 0; i < mesh.vertices.size(); i += step) {
+    for (const double x : mesh.vertices[i]) {
+      if (x == 0 || !std::isfinite(x)) continue;
+      largest = std::max(largest, std::abs(x));
+      is_single = is_single && static_cast<double>(static_cast<float>(x)) == x;
+      for (; digits <= kMaxDigits; ++digits) {
+        const int shift = digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(x))));
+        const double scaled = x * std::pow(10.0, shift);
+        if (std::abs(scaled - std::round(scaled)) < 1e-6) break;
+      }
+    }
+  }
+  if (!(largest > 0)) return 0;
+  const double uniform = 1 / std::sqrt(12.0);
+  if (digits >= 1 && digits <= kMaxDigits) {
+    return uniform * std::pow(10.0, std::floor(std::log10(largest)) - digits + 1);
+  }
+  return is_single ? uniform * std::ldexp(1.0, std::ilogb(largest) - 23) : 0;
+}
+
 double estimate_noise(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors) {
   constexpr double kLoosePlane = 6e-5;  // jitter of 1e-5 stays within
   constexpr double kLooseNoise = 1e-5;
@@ -331,7 +358,7 @@ double estimate_noise(const Mesh& mesh, const std::vector<std::array<int, 3>>& n
     const Residual r = plane_residual(mesh, graph.vertices(f));
     if (r.freedom > 0) residuals.push_back(r);
   }
-  return std::max(kRounding * diagonal, pooled_deviation(residuals));
+  return std::max({kRounding * diagonal, coordinate_rounding(mesh), pooled_deviation(residuals)});
 }
 
 }  // namespace hewn

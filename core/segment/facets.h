@@ -62,6 +62,10 @@ struct FacetGraph {
 FacetGraph build_facets(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors,
                         const FacetTolerance& tolerance);
 
+/// Standard deviation of the coordinates' own rounding, model units: of single precision when every
+/// coordinate is one, of the decimal digits when all have at most seven; 0 when neither shows.
+double coordinate_rounding(const Mesh& mesh);
+
 /// Estimates the standard deviation of the vertices about the planes and surfaces they were sampled
 /// from, model units: the pooled residual of planes fitted to overdetermined facets. Never below
 /// the rounding of the coordinates.

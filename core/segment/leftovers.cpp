@@ -79,6 +79,43 @@ class PlaneCollector {
   int stamp_ = 0;
 };
 
+/// What the facets of a curved group have in common.
+struct FacetShape {
+  Surface surface;
+  double sagitta = 0;
+  double angle_rad = 0;
+  double side = 1;
+};
+
+FacetShape shape_of(const GrownGroup& group, const FacetGraph& graph, const FacetFitter& fitter) {
+  const FitQuality q = fitter.evaluate(group.surface, group.facets);
+  double agreement = 0;
+  for (const int f : group.facets) {
+    const Facet& facet = graph.facets[f];
+    agreement += facet.area * group.surface.gradient(facet.centroid).dot(facet.normal);
+  }
+  return {group.surface, q.sagitta, q.max_angle_rad, agreement < 0 ? -1.0 : 1.0};
+}
+
+/// Whether a facet is one of the tessellation: all corners within its depth, two of them exactly on
+/// the surface, and a normal that agrees.
+bool belongs(const FacetShape& shape, const Mesh& mesh, const FacetGraph& graph, int f,
+             double eps) {
+  const Facet& facet = graph.facets[f];
+  const Surface& s = shape.surface;
+  const double depth = std::abs(s.signed_distance(facet.centroid));
+  if (depth > 1.2 * shape.sagitta + eps || depth < 0.05 * shape.sagitta) return false;
+  const double cosine = shape.side * s.gradient(facet.centroid).dot(facet.normal);
+  if (cosine < std::cos(1.2 * shape.angle_rad + 0.01)) return false;
+  int exact = 0;
+  for (const int v : graph.corners(f)) {
+    const double d = std::abs(s.signed_distance(mesh.vertices[v]));
+    if (d > 1.15 * shape.sagitta + 2 * eps) return false;
+    exact += d < 2 * eps;
+  }
+  return exact >= 2;
+}
+
 }  // namespace
 
 void absorb_slivers(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
@@ -94,6 +131,23 @@ void absorb_slivers(const Mesh& mesh, const FacetGraph& graph, const SurfaceTole
         continue;
       }
       group_of_facet[f] = g;
+      groups[g].facets.push_back(f);
+      break;
+    }
+  }
+}
+
+void adopt_facets(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
+                  std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet) {
+  const FacetFitter fitter(mesh, graph, tolerance);
+  std::vector<FacetShape> shapes;
+  for (const GrownGroup& group : groups) shapes.push_back(shape_of(group, graph, fitter));
+  for (int f = 0; f < graph.size(); ++f) {
+    if (group_of_facet[f] >= 0 || fitter.is_tiny(f)) continue;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      if (shapes[g].sagitta < 2 * tolerance.eps) continue;
+      if (!belongs(shapes[g], mesh, graph, f, tolerance.eps)) continue;
+      group_of_facet[f] = static_cast<int>(g);
       groups[g].facets.push_back(f);
       break;
     }

@@ -12,6 +12,11 @@ namespace hewn {
 void absorb_slivers(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
                     std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet);
 
+/// Gives free facets to a curved group found elsewhere when they are facets of its tessellation:
+/// other faces may cut a surface into pieces too small to be recognised on their own.
+void adopt_facets(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
+                  std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet);
+
 /// Turns every free facet into a plane, largest first, together with free neighbours that are
 /// coplanar but for noise.
 Result<void> plane_leftovers(const Mesh& mesh, const FacetGraph& graph,
