@@ -56,11 +56,25 @@ Mesh read_off(const std::string& path) {
   return mesh;
 }
 
-void report(const std::string& path, bool verbose) {
+bool set_option(SegmentOptions& options, std::string_view name, double value) {
+  for (const OptionField<SegmentOptions>& field : option_table<SegmentOptions>()) {
+    if (field.name != name) continue;
+    std::visit(
+        [&](auto member) {
+          using Value = std::remove_reference_t<decltype(options.*member)>;
+          options.*member = static_cast<Value>(value);
+        },
+        field.member);
+    return true;
+  }
+  return false;
+}
+
+void report(const std::string& path, const SegmentOptions& options, bool verbose) {
   const Mesh mesh = read_off(path);
   const auto start = std::chrono::steady_clock::now();
   const RunContext run;
-  const auto result = segment(mesh, {}, run);
+  const auto result = segment(mesh, options, run);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const std::string name = std::filesystem::path(path).stem().string();
@@ -126,6 +140,20 @@ void report(const std::string& path, bool verbose) {
 }  // namespace hewn
 
 int main(int argc, char** argv) {
-  const bool verbose = argc > 1 && std::string(argv[1]) == "-v";
-  for (int i = verbose ? 2 : 1; i < argc; ++i) hewn::report(argv[i], verbose);
+  // segment_report [-v] [--OPTION VALUE]... FILE...
+  bool verbose = false;
+  hewn::SegmentOptions options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "-v") {
+      verbose = true;
+    } else if (word.starts_with("--") && i + 1 < argc) {
+      if (!hewn::set_option(options, word.substr(2), std::atof(argv[++i]))) {
+        fmt::print(stderr, "segment_report: no option {}\n", word);
+        return 2;
+      }
+    } else {
+      hewn::report(argv[i], options, verbose);
+    }
+  }
 }

@@ -21,6 +21,7 @@ struct Cluster {
   double extent = 0;
   bool is_fixed = false;  ///< a coordinate axis
   int items = 0;
+  int joined = -1;  ///< the settled cluster that took this one
 
   double deviation() const { return weight > 0 ? 1 / std::sqrt(weight) : kPi; }
 };
@@ -52,8 +53,8 @@ class DirectionFinder {
     for (int k = 3; k < static_cast<int>(clusters_.size()); ++k) order.push_back(k);
     std::stable_sort(order.begin(), order.end(),
                      [&](int a, int b) { return clusters_[a].area > clusters_[b].area; });
-    for (int k = 0; k < 3; ++k) settled_.push_back(clusters_[k].axis);
-    for (const int k : order) settle(clusters_[k]);
+    for (int k = 0; k < 3; ++k) settled_.push_back(k);
+    for (const int k : order) settle(k);
     return compact(items);
   }
 
@@ -74,6 +75,7 @@ class DirectionFinder {
         best = angle;
         found = k;
       }
+      if (k == 2 && found >= 0) break;  // a coordinate axis wins over a nearer neighbour
     }
     if (found < 0) {
       found = static_cast<int>(clusters_.size());
@@ -91,21 +93,29 @@ class DirectionFinder {
     item.direction = found;
   }
 
-  /// Snaps one cluster to those that are settled.
-  void settle(Cluster& c) {
+  /// Snaps one cluster to those that are settled, or joins it to one of them.
+  void settle(int index) {
+    Cluster& c = clusters_[index];
     c.axis = c.sum.normalized();
     const double allowed = limit(c.extent, c.deviation());
+    for (const int k : settled_) {
+      if (unsigned_angle(clusters_[k].axis, c.axis) > allowed) continue;
+      c.joined = k;
+      ++clusters_[k].items;
+      return;
+    }
     if (const std::optional<Vec3> snapped = orthogonal(c, allowed)) c.axis = *snapped;
     int largest = 0;
     c.axis.cwiseAbs().maxCoeff(&largest);
     if (c.axis[largest] < 0) c.axis = -c.axis;
     c.axis += Vec3::Zero();  // no negative zeros
-    settled_.push_back(c.axis);
+    settled_.push_back(index);
   }
 
   std::optional<Vec3> orthogonal(const Cluster& c, double allowed) const {
     std::vector<Vec3> across;
-    for (const Vec3& s : settled_) {
+    for (const int k : settled_) {
+      const Vec3& s = clusters_[k].axis;
       if (std::abs(s.dot(c.axis)) <= std::sin(allowed)) across.push_back(s);
     }
     for (std::size_t i = 0; i < across.size(); ++i) {
@@ -127,7 +137,8 @@ class DirectionFinder {
   Vec3 rounded_within_plane(const Vec3& axis, const Vec3& normal, const Cluster& c,
                             double allowed) const {
     if (!options_.round_values) return axis;
-    for (const Vec3& x : settled_) {
+    for (const int k : settled_) {
+      const Vec3& x = clusters_[k].axis;
       if (std::abs(x.dot(normal)) > kExactlyAcross) continue;
       const Vec3 y = normal.cross(x);
       const double angle = std::atan2(axis.dot(y), axis.dot(x));
@@ -145,12 +156,14 @@ class DirectionFinder {
     std::vector<int> index(clusters_.size(), -1);
     std::vector<Vec3> directions;
     for (std::size_t k = 0; k < clusters_.size(); ++k) {
-      if (clusters_[k].items == 0) continue;
+      if (clusters_[k].items == 0 || clusters_[k].joined >= 0) continue;
       index[k] = static_cast<int>(directions.size());
       directions.push_back(clusters_[k].axis);
     }
     for (FitItem& item : items) {
-      if (item.direction >= 0) item.direction = index[item.direction];
+      if (item.direction < 0) continue;
+      const int joined = clusters_[item.direction].joined;
+      item.direction = index[joined >= 0 ? joined : item.direction];
     }
     return directions;
   }
@@ -158,7 +171,7 @@ class DirectionFinder {
   double reach_, max_turn_;
   const RegulariseOptions& options_;
   std::vector<Cluster> clusters_;
-  std::vector<Vec3> settled_;
+  std::vector<int> settled_;
 };
 
 /// The coordinate axis exactly across `axis`; -1 when there is none.
