@@ -173,8 +173,7 @@ void settle_sizes(std::vector<FitItem>& items, double diagonal, double noise,
                   const RegulariseOptions& options) {
   std::vector<Size> sizes;
   const auto tolerance = [&](double deviation) {
-    return std::min(options.round_deviations * deviation + noise,
-                    options.snap_distance * diagonal);
+    return std::min(options.round_deviations * deviation + noise, options.snap_distance * diagonal);
   };
   for (FitItem& item : items) {
     Surface& s = item.surface;
@@ -182,9 +181,9 @@ void settle_sizes(std::vector<FitItem>& items, double diagonal, double noise,
     if (s.kind == SurfaceKind::Cone) {
       if (!options.round_values) continue;
       const double turn = options.snap_distance * diagonal / std::max(item.extent, 1e-300);
-      const double angle = round_angle(
-          s.half_angle_rad,
-          std::min(options.round_deviations * item.deviation.half_angle_rad, turn));
+      const double angle =
+          round_angle(s.half_angle_rad,
+                      std::min(options.round_deviations * item.deviation.half_angle_rad, turn));
       if (angle == s.half_angle_rad) continue;
       s.half_angle_rad = angle;
       refit_apex(item);

@@ -8,8 +8,8 @@
 namespace hewn {
 namespace {
 
-constexpr double kMinTurn = 1e-4;       // radians: directions closer than this are one
-constexpr double kMinDeviation = 1e-9;  // radians: no fit is more exact
+constexpr double kMinTurn = 1e-4;          // radians: directions closer than this are one
+constexpr double kMinDeviation = 1e-9;     // radians: no fit is more exact
 constexpr double kMaxUncertainTurn = 0.1;  // radians
 constexpr double kExactlyAcross = 1e-14;
 

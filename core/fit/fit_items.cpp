@@ -5,7 +5,7 @@
 namespace hewn {
 namespace {
 
-constexpr double kMinArea = 2e-7;  // share of the mesh's area; smaller groups are splinters
+constexpr double kMinArea = 2e-7;   // share of the mesh's area; smaller groups are splinters
 constexpr double kRounding = 8e-7;  // share of the diagonal
 constexpr std::size_t kMaxPoints = 2000;
 

@@ -10,8 +10,10 @@ namespace {
 constexpr double kMaxNormalDeviation = 0.22;  // radians; of a patch from its first fit
 constexpr double kMaxSagittaRatio = 0.024;    // of the radius: steps of 25 degrees
 constexpr double kTightRms = 0.15;            // of the sagitta: corners lie on the surface
-constexpr double kMinNormalAngle = 0.01;      // radians; counts as a different normal
+constexpr double kResampledSlack = 3;
+constexpr double kMinNormalAngle = 0.01;  // radians; counts as a different normal
 constexpr int kPatchSizes[] = {5, 12, 30};
+constexpr int kResampledPatchSizes[] = {12, 40, 120, 360};
 
 int min_facets(SurfaceKind kind) {
   if (kind == SurfaceKind::Sphere) return 6;
@@ -104,10 +106,13 @@ class CurvedGrower {
         std::binary_search(best.facets.begin(), best.facets.end(), seed)) {
       return;
     }
-    for (const int size : kPatchSizes) {
+    const std::span<const int> sizes = tolerance_.is_resampled
+                                           ? std::span<const int>(kResampledPatchSizes)
+                                           : std::span<const int>(kPatchSizes);
+    for (const int size : sizes) {
       const std::vector<int> patch = neighborhood(seed, size);
       if (patch.size() < 4) return;
-      if (size > kPatchSizes[0] && static_cast<int>(patch.size()) <= size / 2) return;
+      if (size > sizes.front() && static_cast<int>(patch.size()) <= size / 3) return;
       for (const Surface& guess : fitter_.guess(patch)) {
         std::optional<Candidate> c = develop(guess, patch);
         if (c && c->score > best.score) {
@@ -155,6 +160,15 @@ class CurvedGrower {
     if (static_cast<int>(facets.size()) < min_facets(s.kind)) return std::nullopt;
     refine_while_growing(s, core, limits, facets);
     return judge(s, std::move(facets));
+  }
+
+  /// How far corners may stray from a surface that meets its patch like this.
+  double distance_limit(const FitQuality& q) const {
+    const double exact = 4e-3 * tolerance_.diagonal;
+    if (q.rms_distance < kTightRms * q.sagitta) return std::min(exact, 1.15 * q.sagitta);
+    // Corners between the inscribed and the circumscribed surface.
+    if (tolerance_.is_resampled) return std::min(exact, 2 * std::max(q.sagitta, q.rms_distance));
+    return std::min(options_.max_deviation * tolerance_.diagonal, q.sagitta);
   }
 
   /// First fit, then one more without the facets that are far off.
@@ -237,7 +251,9 @@ class CurvedGrower {
       rms = std::min(rms, fitter_.refine_on_planes(s, facets, q));
     }
     const double looseness = rms / (0.1 * q.sagitta + tolerance_.eps);
-    if (looseness > options_.max_looseness) return std::nullopt;
+    // A resampled mesh's corners fill the depth of the facets that they lie on.
+    const double slack = tolerance_.is_resampled ? kResampledSlack : 1;
+    if (looseness > slack * options_.max_looseness) return std::nullopt;
     const bool is_exact = q.rms_distance < 1.5 * tolerance_.eps;
     if (!normals_agree(s, facets, is_exact)) return std::nullopt;
     if ((s.kind == SurfaceKind::Sphere || s.kind == SurfaceKind::Torus) && is_flat(facets)) {
@@ -245,7 +261,7 @@ class CurvedGrower {
     }
     double area = 0;
     for (const int f : facets) area += graph_.facets[f].area;
-    const double tightness = 0.05 + 0.95 / (1 + looseness * looseness);
+    const double tightness = 0.05 + 0.95 / (1 + looseness * looseness / (slack * slack));
     Candidate c{s, std::move(facets), 0, looseness};
     c.score = area * simplicity(s.kind) * tightness * (c.facets.size() < 6 ? 0.5 : 1);
     return c;
@@ -294,7 +310,7 @@ class CurvedGrower {
     const double step = steps[steps.size() / 2];
     const double deviation = std::sqrt(squares / count);
     const bool is_ruled = s.kind == SurfaceKind::Cylinder || s.kind == SurfaceKind::Cone;
-    const double share = is_exact ? 1.3 : is_ruled ? 0.3 : 0.7;
+    const double share = is_exact || tolerance_.is_resampled ? 1.3 : is_ruled ? 0.3 : 0.7;
     return deviation <= share * step + 0.002 + std::sqrt(noise / count);
   }
 

@@ -13,6 +13,8 @@ struct SurfaceTolerance {
   double diagonal = 0;
   double noise = 0;  ///< standard deviation of vertices about their surface
   double eps = 0;    ///< what two vertices of one exact surface may differ by
+  /// Vertices lie anywhere on the flat facets of an earlier tessellation, not only on the surface.
+  bool is_resampled = false;
 };
 
 /// How a surface meets facets.

@@ -10,7 +10,10 @@
 namespace hewn {
 namespace {
 
-constexpr double kRounded = 1.5e-6;  // share of the diagonal: rounding stays below
+constexpr double kResampledShare = 0.05;  // of the vertices, inside flat facets
+constexpr int kManyPieces = 4;
+constexpr double kWorthwhile = 0.93;  // of the groups
+constexpr double kRounded = 1.5e-6;   // share of the diagonal: rounding stays below
 
 SurfaceTolerance surface_tolerance(const Mesh& mesh, double noise, const SegmentOptions& options) {
   const double diagonal = mesh.diagonal();
@@ -20,8 +23,8 @@ SurfaceTolerance surface_tolerance(const Mesh& mesh, double noise, const Segment
 
 /// Planes along the coordinate axes hide the rounding of a file's digits, curved surfaces show it:
 /// the median deviation of the groups whose corners agree almost exactly.
-double noise_on_curves(const Mesh& mesh, const std::vector<GrownGroup>& groups,
-                       FacetFitter& fitter, double limit) {
+double noise_on_curves(const Mesh& mesh, const std::vector<GrownGroup>& groups, FacetFitter& fitter,
+                       double limit) {
   std::vector<double> deviations;
   for (const GrownGroup& g : groups) {
     if (g.surface.kind == SurfaceKind::Plane) continue;
@@ -82,6 +85,71 @@ Segmentation assemble(const Mesh& mesh, FacetGraph graph, const std::vector<Grow
   return result;
 }
 
+/// One run at one exactness.
+struct Attempt {
+  FacetGraph graph;
+  std::vector<GrownGroup> groups;
+  std::vector<int> group_of;
+  SurfaceTolerance tolerance;
+};
+
+void polish_groups(const Mesh& mesh, Attempt& a) {
+  FacetFitter fitter(mesh, a.graph, a.tolerance);
+  a.tolerance.noise = std::max(a.tolerance.noise,
+                               noise_on_curves(mesh, a.groups, fitter, kRounded * mesh.diagonal()));
+  for (GrownGroup& group : a.groups) {
+    if (group.surface.kind == SurfaceKind::Plane) continue;
+    std::vector<Vec3> points;
+    for (const int v : fitter.corner_indices(group.facets)) points.push_back(mesh.vertices[v]);
+    polish_on_envelope(group.surface, points, a.tolerance);
+  }
+}
+
+/// Segments with tolerances `looseness` times the exact ones.
+Result<Attempt> attempt(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors,
+                        double noise, double looseness, const SegmentOptions& options,
+                        const RunContext& run) {
+  Attempt a;
+  a.tolerance = surface_tolerance(mesh, noise, options);
+  a.tolerance.eps =
+      std::max(a.tolerance.eps, looseness * options.vertex_tolerance * mesh.diagonal());
+  const double plane =
+      std::max(std::min(2.0, looseness) * options.plane_tolerance * mesh.diagonal(), 4.5 * noise);
+  a.graph = build_facets(mesh, neighbors, {plane, noise});
+  a.tolerance.is_resampled = a.graph.interior_share > kResampledShare;
+  if (run.is_cancelled()) return RunContext::cancelled();
+  a.group_of.assign(a.graph.facets.size(), -1);
+  auto grown = grow_curved_groups(mesh, a.graph, a.tolerance, options, a.group_of, run);
+  if (!grown) return grown.error();
+  a.groups = std::move(*grown);
+  absorb_slivers(mesh, a.graph, a.tolerance, a.groups, a.group_of);
+  adopt_facets(mesh, a.graph, a.tolerance, a.groups, a.group_of);
+  const Result<void> planes =
+      plane_leftovers(mesh, a.graph, a.tolerance, a.groups, a.group_of, run);
+  if (!planes) return planes.error();
+  dissolve_splinters(mesh, a.graph, a.tolerance, a.groups, a.group_of);
+  polish_groups(mesh, a);
+  return a;
+}
+
+/// Facets of planes that join another plane smoothly: pieces of a surface that was not found.
+int count_pieces(const Attempt& a, double smooth_rad) {
+  constexpr double kFlat = 0.01;
+  int pieces = 0;
+  const auto is_plane = [&](int f) {
+    return a.group_of[f] >= 0 && a.groups[a.group_of[f]].surface.kind == SurfaceKind::Plane;
+  };
+  for (int f = 0; f < a.graph.size(); ++f) {
+    if (!is_plane(f)) continue;
+    const auto neighbors = a.graph.neighbors(f);
+    pieces += std::any_of(neighbors.begin(), neighbors.end(), [&](const FacetNeighbor& n) {
+      return n.angle_rad > kFlat && n.angle_rad < smooth_rad && is_plane(n.facet) &&
+             a.group_of[n.facet] != a.group_of[f];
+    });
+  }
+  return pieces;
+}
+
 }  // namespace
 
 Result<Segmentation> segment_by_facets(const Mesh& mesh, const SegmentOptions& options,
@@ -91,32 +159,18 @@ Result<Segmentation> segment_by_facets(const Mesh& mesh, const SegmentOptions& o
   const double noise =
       options.noise > 0 ? options.noise * mesh.diagonal() : estimate_noise(mesh, neighbors);
   if (run.is_cancelled()) return RunContext::cancelled();
-  SurfaceTolerance tolerance = surface_tolerance(mesh, noise, options);
-  const FacetTolerance facet_tolerance{
-      std::max(options.plane_tolerance * mesh.diagonal(), 4.5 * noise), noise};
-  FacetGraph graph = build_facets(mesh, neighbors, facet_tolerance);
-  if (run.is_cancelled()) return RunContext::cancelled();
-
-  std::vector<int> group_of(graph.facets.size(), -1);
-  auto grown = grow_curved_groups(mesh, graph, tolerance, options, group_of, run);
-  if (!grown) return grown.error();
-  std::vector<GrownGroup>& groups = *grown;
-  const std::size_t curved = groups.size();
-  absorb_slivers(mesh, graph, tolerance, groups, group_of);
-  adopt_facets(mesh, graph, tolerance, groups, group_of);
-  const Result<void> planes = plane_leftovers(mesh, graph, tolerance, groups, group_of, run);
-  if (!planes) return planes.error();
-  FacetFitter fitter(mesh, graph, tolerance);
-  tolerance.noise =
-      std::max(noise, noise_on_curves(mesh, groups, fitter, kRounded * mesh.diagonal()));
-  for (std::size_t g = 0; g < curved; ++g) {
-    const std::vector<int> corners = fitter.corner_indices(groups[g].facets);
-    std::vector<Vec3> points;
-    for (const int v : corners) points.push_back(mesh.vertices[v]);
-    polish_on_envelope(groups[g].surface, points, tolerance);
+  Result<Attempt> best = attempt(mesh, neighbors, noise, 1, options, run);
+  if (!best) return best.error();
+  // Some designs are inexact from the start: where surfaces fall to pieces, see whether a looser
+  // reading holds them together.
+  if (count_pieces(*best, options.smooth_angle_deg * kPi / 180) >= kManyPieces) {
+    Result<Attempt> loose = attempt(mesh, neighbors, noise, options.loose_factor, options, run);
+    if (!loose) return loose.error();
+    const auto worth = static_cast<double>(best->groups.size()) * kWorthwhile;
+    if (static_cast<double>(loose->groups.size()) < worth) best = std::move(loose);
   }
   run.report("segment", 1);
-  return assemble(mesh, std::move(graph), groups, tolerance);
+  return assemble(mesh, std::move(best->graph), best->groups, best->tolerance);
 }
 
 }  // namespace hewn

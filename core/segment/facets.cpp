@@ -261,6 +261,9 @@ void FacetGraph::collect_corners(const Mesh& mesh,
       is_open[mesh.triangles[t][k]] = is_open[mesh.triangles[t][(k + 1) % 3]] = true;
     }
   }
+  std::size_t interior = 0;
+  for (std::size_t v = 0; v < count.size(); ++v) interior += count[v] == 1 && !is_open[v];
+  interior_share = static_cast<double>(interior) / static_cast<double>(count.size());
   corner_begin_.assign(1, 0);
   for (int f = 0; f < size(); ++f) {
     const std::size_t begin = corners_.size();

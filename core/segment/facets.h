@@ -41,6 +41,9 @@ struct FacetGraph {
   std::span<const FacetNeighbor> neighbors(int facet) const {
     return slice(neighbors_, neighbor_begin_, facet);
   }
+  /// Share of the vertices that lie inside one flat facet. Next to none in a designer's
+  /// tessellation, many in a mesh that was cut into small triangles afterwards.
+  double interior_share = 0;
   int size() const { return static_cast<int>(facets.size()); }
 
  private:

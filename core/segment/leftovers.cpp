@@ -116,6 +116,102 @@ bool belongs(const FacetShape& shape, const Mesh& mesh, const FacetGraph& graph,
   return exact >= 2;
 }
 
+constexpr double kSplinterArea = 1e-4;  // of the mesh's area: whole splinter groups
+
+/// Decides where splinter groups go.
+class SplinterDissolver {
+ public:
+  SplinterDissolver(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
+                    std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet)
+      : mesh_(mesh),
+        graph_(graph),
+        tolerance_(tolerance),
+        fitter_(mesh, graph, tolerance),
+        groups_(groups),
+        group_of_(group_of_facet) {
+    for (const GrownGroup& group : groups) {
+      double area = 0;
+      for (const int f : group.facets) area += graph.facets[f].area;
+      areas_.push_back(area);
+    }
+  }
+
+  void run() {
+    std::vector<int> order(groups_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return areas_[a] < areas_[b]; });
+    for (const int g : order) {
+      if (areas_[g] > kSplinterArea * mesh_.total_area) break;
+      if (groups_[g].surface.kind == SurfaceKind::Plane) dissolve(g);
+    }
+    std::vector<int> index(groups_.size(), -1);
+    std::size_t kept = 0;
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      if (groups_[g].facets.empty()) continue;
+      index[g] = static_cast<int>(kept);
+      if (kept != g) groups_[kept] = std::move(groups_[g]);
+      ++kept;
+    }
+    groups_.resize(kept);
+    for (int& g : group_of_) g = g < 0 ? g : index[g];
+  }
+
+ private:
+  /// Moves all facets to larger neighbours, or none.
+  void dissolve(int g) {
+    std::vector<int> targets;
+    for (const int f : groups_[g].facets) {
+      const int target = target_of(f, g);
+      if (target < 0) return;
+      targets.push_back(target);
+    }
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      const int f = groups_[g].facets[i];
+      group_of_[f] = targets[i];
+      groups_[targets[i]].facets.push_back(f);
+      areas_[targets[i]] += graph_.facets[f].area;
+    }
+    groups_[g].facets.clear();
+  }
+
+  int target_of(int f, int own) const {
+    int best = -1;
+    double best_distance = reach();
+    for (const FacetNeighbor& n : graph_.neighbors(f)) {
+      const int g = group_of_[n.facet];
+      if (g < 0 || g == own || areas_[g] <= areas_[own]) continue;
+      const Surface& s = groups_[g].surface;
+      const double distance = fitter_.max_distance(s, f);
+      if (distance >= best_distance) continue;
+      const double turn =
+          unsigned_angle(s.gradient(graph_.facets[f].centroid), graph_.facets[f].normal);
+      if (turn > allowed_turn(f)) continue;
+      best = g;
+      best_distance = distance;
+    }
+    return best;
+  }
+
+  double reach() const {
+    return tolerance_.is_resampled ? kStraddleDistance * tolerance_.diagonal
+                                   : 2 * tolerance_.eps + 2 * tolerance_.noise;
+  }
+  double allowed_turn(int f) const {
+    return tolerance_.is_resampled ? kPi : 4 * graph_.normal_error_rad[f];
+  }
+
+  static constexpr double kStraddleDistance = 4e-3;  // share of the diagonal
+
+  const Mesh& mesh_;
+  const FacetGraph& graph_;
+  SurfaceTolerance tolerance_;
+  FacetFitter fitter_;
+  std::vector<GrownGroup>& groups_;
+  std::vector<int>& group_of_;
+  std::vector<double> areas_;
+};
+
 }  // namespace
 
 void absorb_slivers(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
@@ -152,6 +248,12 @@ void adopt_facets(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolera
       break;
     }
   }
+}
+
+void dissolve_splinters(const Mesh& mesh, const FacetGraph& graph,
+                        const SurfaceTolerance& tolerance, std::vector<GrownGroup>& groups,
+                        std::vector<int>& group_of_facet) {
+  SplinterDissolver(mesh, graph, tolerance, groups, group_of_facet).run();
 }
 
 Result<void> plane_leftovers(const Mesh& mesh, const FacetGraph& graph,

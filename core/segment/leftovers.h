@@ -23,4 +23,10 @@ Result<void> plane_leftovers(const Mesh& mesh, const FacetGraph& graph,
                              const SurfaceTolerance& tolerance, std::vector<GrownGroup>& groups,
                              std::vector<int>& group_of_facet, const RunContext& run);
 
+/// Dissolves small groups whose normals mean nothing, for the noise or because a resampled mesh's
+/// triangles straddle an edge, into neighbours on whose surfaces they lie.
+void dissolve_splinters(const Mesh& mesh, const FacetGraph& graph,
+                        const SurfaceTolerance& tolerance, std::vector<GrownGroup>& groups,
+                        std::vector<int>& group_of_facet);
+
 }  // namespace hewn

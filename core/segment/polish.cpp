@@ -64,8 +64,9 @@ void polish_on_envelope(Surface& surface, std::span<const Vec3> corners,
     return;
   }
   const double min_band = 5 * noise;
+  const std::size_t share_needed = tolerance.is_resampled ? 50 : 8;
   const std::size_t enough = std::max<std::size_t>(
-      2 * static_cast<std::size_t>(parameter_count(surface.kind)), corners.size() / 8);
+      2 * static_cast<std::size_t>(parameter_count(surface.kind)), corners.size() / share_needed);
   Surface s = surface;
   std::vector<Vec3> kept;
   double share = 0.5;

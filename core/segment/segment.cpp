@@ -22,6 +22,8 @@ std::span<const OptionField<SegmentOptions>> option_table<SegmentOptions>() {
        "degrees by which neighbouring facets of one curved surface may turn"},
       {"max-looseness", &O::max_looseness, 0.1, 10,
        "largest deviation of a curved surface, in tenths of its facets' depth"},
+      {"loose-factor", &O::loose_factor, 1, 100,
+       "a second try with vertex tolerances times this, kept where it finds fewer groups"},
       {"seeds", &O::seeds, 1, 1000, "seeds tried for each curved group"},
       {"max-failures", &O::max_failures, 1, 1000,
        "rounds of seeds in vain before a smooth component is given up"},

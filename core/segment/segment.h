@@ -22,6 +22,7 @@ struct SegmentOptions {
   double max_deviation = 1e-3;      ///< of a surface that is not exact
   double smooth_angle_deg = 24;     ///< rims that turn by less join facets of one surface
   double max_looseness = 3;         ///< deviation against a tenth of the facets' depth
+  double loose_factor = 5;          ///< second try of inexact designs: times vertex_tolerance
   int seeds = 8;                    ///< tried for each group
   int max_failures = 12;            ///< rounds of seeds in vain before a component is given up
 
