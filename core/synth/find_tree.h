@@ -27,8 +27,8 @@ struct TreeProblem {
 
 /// Budgets count steps, never time, so that results do not depend on the machine's speed.
 struct TreeSearchOptions {
-  int volume_points = 20000;   ///< uniform samples of the first round
-  int starts = 6;              ///< independent constructions that are compared
+  int volume_points = 20000;  ///< uniform samples of the first round
+  int starts = 6;             ///< independent constructions that are compared
   int beam_width = 6;
   int neighbourhood_steps = 2500;  ///< stop after this many without improvement
   int rounds = 4;                  ///< counterexample rounds at most
@@ -41,10 +41,10 @@ struct TreeAnswer {
   Tree tree;
   /// Share of fresh points (away from inexact surfaces) that the tree classifies as the mesh does.
   double agreement = 0;
-  int rounds = 0;           ///< counterexample rounds used
-  int halfspaces = 0;       ///< available, separating ones included
-  int separating = 0;       ///< halfspaces added to tell inside from outside
-  int cells = 0;            ///< distinct sign signatures
+  int rounds = 0;      ///< counterexample rounds used
+  int halfspaces = 0;  ///< available, separating ones included
+  int separating = 0;  ///< halfspaces added to tell inside from outside
+  int cells = 0;       ///< distinct sign signatures
   long terms_grown = 0;
 };
 

@@ -1,0 +1,115 @@
+/// The end-to-end table: every part through segmentation, fitting and search, with times per stage.
+///
+///   end_to_end [--threads N] [--seed N] [--out DIR] MESH...
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/fit/surface_set.h"
+#include "core/io/openscad.h"
+#include "core/mesh/load.h"
+#include "core/segment/segment.h"
+#include "core/synth/find_tree.h"
+
+namespace hewn {
+namespace {
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+struct Totals {
+  int parts = 0;
+  int literals = 0;
+  double seconds = 0;
+};
+
+Result<void> run_part(const std::filesystem::path& path, const RunContext& run,
+                      const std::string& out, Totals& totals) {
+  Stopwatch watch;
+  const auto loaded = load_mesh(path, {}, run);
+  if (!loaded) return loaded.error();
+  const auto mesh = std::make_shared<const Mesh>(loaded->mesh);
+  const double load = watch.lap();
+  const auto segmentation = segment(*mesh, {}, run);
+  if (!segmentation) return segmentation.error();
+  const double segmented = watch.lap();
+  const auto surfaces = regularise(*mesh, *segmentation, {}, run);
+  if (!surfaces) return surfaces.error();
+  const MeshQuery query(mesh);
+  const double regularised = watch.lap();
+  TreeProblem problem;
+  problem.query = &query;
+  problem.segmentation = &*segmentation;
+  problem.surfaces = &*surfaces;
+  const auto answer = find_tree(problem, {}, run);
+  if (!answer) return answer.error();
+  const double searched = watch.lap();
+  const int literals = literal_count(answer->tree);
+  const double total = load + segmented + regularised + searched;
+  fmt::print(
+      "{:8s} {:7d} {:5d} {:5d} {:4d} {:6d} {:5d} {:4d} {:8.5f} {:3d} {:8d} {:6.2f} {:6.2f} "
+      "{:6.2f} {:6.2f} {:7.2f}\n",
+      path.stem().string(), mesh->triangles.size(), segmentation->groups.size(), answer->halfspaces,
+      answer->separating, answer->cells, tree_size(answer->tree), literals, answer->agreement,
+      answer->rounds, answer->terms_grown, load, segmented, regularised, searched, total);
+  std::fflush(stdout);
+  ++totals.parts;
+  totals.literals += literals;
+  totals.seconds += total;
+  if (!out.empty()) {
+    OpenscadOptions scad;
+    return write_openscad(answer->tree, out + "/" + path.stem().string() + ".scad", scad);
+  }
+  return {};
+}
+
+}  // namespace
+}  // namespace hewn
+
+int main(int argc, char** argv) {
+  hewn::RunContext run;
+  run.threads = 1;
+  std::string out;
+  std::vector<std::string> meshes;
+  for (int i = 1; i < argc; ++i) {
+    const std::string arg = argv[i];
+    if (arg == "--threads" && i + 1 < argc) {
+      run.threads = std::atoi(argv[++i]);
+    } else if (arg == "--seed" && i + 1 < argc) {
+      run.seed = static_cast<std::uint64_t>(std::atoll(argv[++i]));
+    } else if (arg == "--out" && i + 1 < argc) {
+      out = argv[++i];
+    } else {
+      meshes.push_back(arg);
+    }
+  }
+  fmt::print(
+      "part     triangl group halfs  sep  cells  size  lit  agreemt rnd    terms   load "
+      "segmnt regular search   total\n");
+  hewn::Totals totals;
+  int failed = 0;
+  for (const std::string& mesh : meshes) {
+    const auto done = hewn::run_part(mesh, run, out, totals);
+    if (!done) {
+      fmt::print("{}: {}\n", mesh, done.error().message);
+      ++failed;
+    }
+  }
+  fmt::print("{} parts, {} literals, {:.2f} s\n", totals.parts, totals.literals, totals.seconds);
+  return failed == 0 ? 0 : 1;
+}

@@ -1,0 +1,195 @@
+#include "core/compute/bits.h"
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#define HEWN_X86 1
+#endif
+
+namespace hewn {
+namespace {
+
+/// `combine(i)` yields word i of the column to count.
+template <class Combine>
+int count_portable(std::size_t words, const Combine& combine) {
+  int total = 0;
+  for (std::size_t i = 0; i < words; ++i) total += std::popcount(combine(i));
+  return total;
+}
+
+namespace portable {
+int count(const Word* a, std::size_t words) {
+  return count_portable(words, [a](std::size_t i) { return a[i]; });
+}
+int count_and(const Word* a, const Word* b, std::size_t words) {
+  return count_portable(words, [a, b](std::size_t i) { return a[i] & b[i]; });
+}
+int count_xor(const Word* a, const Word* b, std::size_t words) {
+  return count_portable(words, [a, b](std::size_t i) { return a[i] ^ b[i]; });
+}
+void count_common(const Word* a, const Word* b, std::span<const Word* const> columns,
+                  std::size_t words, std::span<CommonCounts> out) {
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    out[k] = {count_and(a, columns[k], words), count_and(b, columns[k], words)};
+  }
+}
+constexpr BitKernels kKernels{BitPath::Portable, count, count_and, count_xor, count_common};
+}  // namespace portable
+
+#ifdef HEWN_X86
+namespace avx2 {
+#define HEWN_TARGET __attribute__((target("avx2,popcnt")))
+
+/// Bits per 64-bit lane by table look-up of nibbles (Mula, Kurz, Lemire 2018).
+HEWN_TARGET inline __m256i count_lanes(__m256i v) {
+  const __m256i table = _mm256_setr_epi8(0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4, 0, 1, 1, 2,
+                                         1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4);
+  const __m256i mask = _mm256_set1_epi8(0x0f);
+  const __m256i low = _mm256_shuffle_epi8(table, _mm256_and_si256(v, mask));
+  const __m256i high = _mm256_shuffle_epi8(table, _mm256_and_si256(_mm256_srli_epi32(v, 4), mask));
+  return _mm256_sad_epu8(_mm256_add_epi8(low, high), _mm256_setzero_si256());
+}
+
+HEWN_TARGET inline __m256i load(const Word* p) {
+  return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(p));
+}
+
+HEWN_TARGET inline int sum(__m256i v) {
+  const __m128i half = _mm_add_epi64(_mm256_castsi256_si128(v), _mm256_extracti128_si256(v, 1));
+  return static_cast<int>(_mm_extract_epi64(half, 0) + _mm_extract_epi64(half, 1));
+}
+
+HEWN_TARGET int count(const Word* a, std::size_t words) {
+  __m256i total = _mm256_setzero_si256();
+  for (std::size_t i = 0; i < words; i += 4) {
+    total = _mm256_add_epi64(total, count_lanes(load(a + i)));
+  }
+  return sum(total);
+}
+
+HEWN_TARGET int count_and(const Word* a, const Word* b, std::size_t words) {
+  __m256i total = _mm256_setzero_si256();
+  for (std::size_t i = 0; i < words; i += 4) {
+    total = _mm256_add_epi64(total, count_lanes(_mm256_and_si256(load(a + i), load(b + i))));
+  }
+  return sum(total);
+}
+
+HEWN_TARGET int count_xor(const Word* a, const Word* b, std::size_t words) {
+  __m256i total = _mm256_setzero_si256();
+  for (std::size_t i = 0; i < words; i += 4) {
+    total = _mm256_add_epi64(total, count_lanes(_mm256_xor_si256(load(a + i), load(b + i))));
+  }
+  return sum(total);
+}
+
+HEWN_TARGET void count_common(const Word* a, const Word* b, std::span<const Word* const> columns,
+                              std::size_t words, std::span<CommonCounts> out) {
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const Word* column = columns[k];
+    __m256i with_a = _mm256_setzero_si256();
+    __m256i with_b = _mm256_setzero_si256();
+    for (std::size_t i = 0; i < words; i += 4) {
+      const __m256i c = load(column + i);
+      with_a = _mm256_add_epi64(with_a, count_lanes(_mm256_and_si256(load(a + i), c)));
+      with_b = _mm256_add_epi64(with_b, count_lanes(_mm256_and_si256(load(b + i), c)));
+    }
+    out[k] = {sum(with_a), sum(with_b)};
+  }
+}
+#undef HEWN_TARGET
+constexpr BitKernels kKernels{BitPath::Avx2, count, count_and, count_xor, count_common};
+}  // namespace avx2
+
+namespace avx512 {
+#define HEWN_TARGET __attribute__((target("avx512f,avx512vpopcntdq,popcnt")))
+
+HEWN_TARGET inline __m512i load(const Word* p) { return _mm512_loadu_si512(p); }
+
+HEWN_TARGET inline int sum(__m512i v) {
+  alignas(64) std::uint64_t lanes[8];
+  _mm512_store_si512(lanes, v);
+  std::uint64_t total = 0;
+  for (const std::uint64_t lane : lanes) total += lane;
+  return static_cast<int>(total);
+}
+
+HEWN_TARGET int count(const Word* a, std::size_t words) {
+  __m512i total = _mm512_setzero_si512();
+  for (std::size_t i = 0; i < words; i += 8) {
+    total = _mm512_add_epi64(total, _mm512_popcnt_epi64(load(a + i)));
+  }
+  return sum(total);
+}
+
+HEWN_TARGET int count_and(const Word* a, const Word* b, std::size_t words) {
+  __m512i total = _mm512_setzero_si512();
+  for (std::size_t i = 0; i < words; i += 8) {
+    const __m512i both = _mm512_and_si512(load(a + i), load(b + i));
+    total = _mm512_add_epi64(total, _mm512_popcnt_epi64(both));
+  }
+  return sum(total);
+}
+
+HEWN_TARGET int count_xor(const Word* a, const Word* b, std::size_t words) {
+  __m512i total = _mm512_setzero_si512();
+  for (std::size_t i = 0; i < words; i += 8) {
+    const __m512i differ = _mm512_xor_si512(load(a + i), load(b + i));
+    total = _mm512_add_epi64(total, _mm512_popcnt_epi64(differ));
+  }
+  return sum(total);
+}
+
+HEWN_TARGET void count_common(const Word* a, const Word* b, std::span<const Word* const> columns,
+                              std::size_t words, std::span<CommonCounts> out) {
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const Word* column = columns[k];
+    __m512i with_a = _mm512_setzero_si512();
+    __m512i with_b = _mm512_setzero_si512();
+    for (std::size_t i = 0; i < words; i += 8) {
+      const __m512i c = load(column + i);
+      with_a = _mm512_add_epi64(with_a, _mm512_popcnt_epi64(_mm512_and_si512(load(a + i), c)));
+      with_b = _mm512_add_epi64(with_b, _mm512_popcnt_epi64(_mm512_and_si512(load(b + i), c)));
+    }
+    out[k] = {sum(with_a), sum(with_b)};
+  }
+}
+#undef HEWN_TARGET
+constexpr BitKernels kKernels{BitPath::Avx512, count, count_and, count_xor, count_common};
+}  // namespace avx512
+#endif
+
+bool has_path(BitPath path) {
+#ifdef HEWN_X86
+  if (path == BitPath::Avx2) return __builtin_cpu_supports("avx2");
+  if (path == BitPath::Avx512) {
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vpopcntdq");
+  }
+#endif
+  return path == BitPath::Portable;
+}
+
+const BitKernels& choose() {
+#ifdef HEWN_X86
+  if (has_path(BitPath::Avx512)) return avx512::kKernels;
+  if (has_path(BitPath::Avx2)) return avx2::kKernels;
+#endif
+  return portable::kKernels;
+}
+
+}  // namespace
+
+const BitKernels& bit_kernels() {
+  static const BitKernels& chosen = choose();
+  return chosen;
+}
+
+const BitKernels* bit_kernels(BitPath path) {
+  if (!has_path(path)) return nullptr;
+#ifdef HEWN_X86
+  if (path == BitPath::Avx2) return &avx2::kKernels;
+  if (path == BitPath::Avx512) return &avx512::kKernels;
+#endif
+  return &portable::kKernels;
+}
+
+}  // namespace hewn

@@ -1,0 +1,101 @@
+#include "core/sample/cells.h"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+namespace hewn {
+namespace {
+
+constexpr double kLargestMinority = 0.25;
+constexpr std::size_t kLargeTable = 400;
+
+bool is_clear(int inside, int outside, std::size_t cells) {
+  const int total = inside + outside;
+  if (std::min(inside, outside) > kLargestMinority * total) return false;
+  return total >= 2 || cells <= kLargeTable;
+}
+
+}  // namespace
+
+long Cells::conflicting_points() const {
+  long total = 0;
+  for (std::size_t c = 0; c < size(); ++c) total += std::min(inside_count[c], outside_count[c]);
+  return total;
+}
+
+Cells find_cells(const SampleTable& table) {
+  Cells cells;
+  cells.cell_of_point.resize(table.size());
+  std::unordered_multimap<std::uint64_t, int> by_hash;  // looked up only, never iterated
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const Word* signature = table.signature(i);
+    const std::uint64_t hash = hash_words({signature, table.stride});
+    int cell = -1;
+    const auto [begin, end] = by_hash.equal_range(hash);
+    for (auto it = begin; it != end && cell < 0; ++it) {
+      const Word* known = table.signature(static_cast<std::size_t>(cells.first_point[it->second]));
+      if (std::equal(signature, signature + table.stride, known)) cell = it->second;
+    }
+    if (cell < 0) {
+      cell = static_cast<int>(cells.size());
+      by_hash.emplace(hash, cell);
+      cells.first_point.push_back(static_cast<int>(i));
+      cells.inside_count.push_back(0);
+      cells.outside_count.push_back(0);
+    }
+    cells.cell_of_point[i] = cell;
+    ++(table.is_inside[i] ? cells.inside_count : cells.outside_count)[cell];
+  }
+  return cells;
+}
+
+ColumnTable::ColumnTable(const SampleTable& table, const Cells& cells)
+    : halfspaces_(table.halfspaces), kept_index_(cells.size(), -1) {
+  std::vector<int> kept;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    if (!is_clear(cells.inside_count[c], cells.outside_count[c], cells.size())) continue;
+    kept_index_[c] = static_cast<int>(kept.size());
+    kept.push_back(static_cast<int>(c));
+  }
+  cells_ = kept.size();
+  words_ = padded_words(cells_);
+  columns_.assign(2 * halfspaces_ * words_, 0);
+  wanted_.assign(words_, 0);
+  all_.assign(words_, 0);
+  for (std::size_t i = 0; i < cells_; ++i) {
+    const int c = kept[i];
+    set_bit(all_.data(), i);
+    if (cells.inside_count[c] > cells.outside_count[c]) set_bit(wanted_.data(), i);
+    const Word* signature = table.signature(static_cast<std::size_t>(cells.first_point[c]));
+    for (std::size_t k = 0; k < halfspaces_; ++k) {
+      set_bit(columns_.data() + (2 * k + (test_bit(signature, k) ? 1 : 0)) * words_, i);
+    }
+  }
+  fill_pairs(table);
+}
+
+void ColumnTable::fill_pairs(const SampleTable& table) {
+  std::map<int, std::vector<const SamplePair*>> by_group;
+  for (const SamplePair& pair : table.pairs) by_group[pair.group].push_back(&pair);
+  pair_masks_.assign(by_group.size(), 0);
+  pair_words_.assign(4 * halfspaces_ * by_group.size(), 0);
+  std::size_t g = 0;
+  for (const auto& [group, pairs] : by_group) {
+    const std::size_t count = std::min<std::size_t>(pairs.size(), 64);
+    for (std::size_t b = 0; b < count; ++b) {
+      pair_masks_[g] |= Word{1} << b;
+      const int ends[2] = {pairs[b]->inside, pairs[b]->outside};
+      for (std::size_t end = 0; end < 2; ++end) {
+        const Word* signature = table.signature(static_cast<std::size_t>(ends[end]));
+        for (std::size_t k = 0; k < halfspaces_; ++k) {
+          const std::size_t side = test_bit(signature, k) ? 1 : 0;
+          pair_words_[((2 * k + side) * by_group.size() + g) * 2 + end] |= Word{1} << b;
+        }
+      }
+    }
+    ++g;
+  }
+}
+
+}  // namespace hewn

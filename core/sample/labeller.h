@@ -1,0 +1,34 @@
+#pragma once
+/// The wanted solid of one partition as a function of points.
+#include <cstdint>
+#include <vector>
+
+#include "core/fit/face_groups.h"
+#include "core/mesh/query.h"
+
+namespace hewn {
+
+enum class Label : std::uint8_t { Outside, Inside, DontCare };
+
+/// Labels points by the mesh. A point belongs to the partition whose face group is nearest; points
+/// of other partitions are don't-cares, and inside and outside swap for a subtracted partition.
+/// Thread-safe; the pointees must outlive it.
+class Labeller {
+ public:
+  Labeller(const MeshQuery& query, const Segmentation& segmentation, const std::vector<int>& groups,
+           bool is_subtracted);
+
+  Label operator()(const Vec3& p) const;
+  bool owns_group(int group) const { return owns_all_ || owned_[group]; }
+  bool owns_all() const { return owns_all_; }
+  const MeshQuery& query() const { return *query_; }
+
+ private:
+  const MeshQuery* query_;
+  const Segmentation* segmentation_;
+  std::vector<char> owned_;
+  bool owns_all_;
+  bool is_subtracted_;
+};
+
+}  // namespace hewn

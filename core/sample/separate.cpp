@@ -1,0 +1,259 @@
+#include "core/sample/separate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/compute/parallel.h"
+
+namespace hewn {
+namespace {
+
+constexpr std::size_t kMaxCandidates = 1500;
+constexpr std::size_t kMaxAxisDirections = 40;
+constexpr int kMaxAdded = 40;
+constexpr double kWorthLooking = 5e-4;  // share of conflicting points
+constexpr double kGoodEnough = 3e-4;
+constexpr double kSamePlane = 1e-4;  // of the diagonal
+constexpr double kSameDirection = 1e-4;
+constexpr double kOpenArc = 0.4;  // rad; a smaller gap is a closed turn
+
+/// Collects candidate halfspaces without repeating any.
+class CandidatePool {
+ public:
+  CandidatePool(const SampleSpace& space, SurfaceSet& surfaces)
+      : diagonal_(space.diagonal), surfaces_(&surfaces) {}
+
+  void add_plane(const Vec3& normal, double offset) {
+    const int direction = direction_of(normal);
+    Halfspace h;
+    h.is_separating = true;
+    h.tolerance = 1e-6 * diagonal_;
+    h.direction = direction;
+    h.surface.kind = SurfaceKind::Plane;
+    h.surface.axis = surfaces_->directions[direction];
+    h.surface.offset = h.surface.axis.dot(normal) < 0 ? -offset : offset;
+    if (!is_known(surfaces_->halfspaces, h) && !is_known(pool_, h)) pool_.push_back(h);
+  }
+
+  void add_plane_through(const Vec3& normal, const Vec3& point) {
+    add_plane(normal, normal.dot(point));
+  }
+
+  void add_cylinder(const Halfspace& torus) {
+    Halfspace h = torus;
+    h.is_separating = true;
+    h.tolerance = 1e-6 * diagonal_;
+    h.area = 0;
+    h.surface.kind = SurfaceKind::Cylinder;
+    h.surface.radius = torus.surface.major_radius;
+    pool_.push_back(h);
+  }
+
+  std::vector<Halfspace> take() {
+    if (pool_.size() > kMaxCandidates) pool_.resize(kMaxCandidates);
+    return std::move(pool_);
+  }
+
+ private:
+  int direction_of(const Vec3& normal) {
+    auto& directions = surfaces_->directions;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      if (directions[i].cross(normal).norm() < kSameDirection) return static_cast<int>(i);
+    }
+    directions.push_back(normal);
+    return static_cast<int>(directions.size()) - 1;
+  }
+
+  bool is_known(const std::vector<Halfspace>& list, const Halfspace& plane) const {
+    return std::any_of(list.begin(), list.end(), [&](const Halfspace& h) {
+      return h.surface.kind == SurfaceKind::Plane && h.direction == plane.direction &&
+             std::abs(h.surface.offset - plane.surface.offset) < kSamePlane * diagonal_;
+    });
+  }
+
+  double diagonal_;
+  SurfaceSet* surfaces_;
+  std::vector<Halfspace> pool_;
+};
+
+std::vector<Vec3> group_vertices(const Mesh& mesh, const FaceGroup& group) {
+  std::vector<int> ids;
+  for (const int t : group.triangles) {
+    ids.insert(ids.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
+  }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  std::vector<Vec3> out;
+  out.reserve(ids.size());
+  for (const int v : ids) out.push_back(mesh.vertices[v]);
+  return out;
+}
+
+void add_extents(CandidatePool& pool, const Vec3& direction, const std::vector<Vec3>& points) {
+  double lo = kInfinity;
+  double hi = -kInfinity;
+  for (const Vec3& p : points) {
+    lo = std::min(lo, direction.dot(p));
+    hi = std::max(hi, direction.dot(p));
+  }
+  pool.add_plane(direction, lo);
+  pool.add_plane(direction, hi);
+}
+
+/// The azimuths at which an open arc begins and ends; false when the points go all the way round.
+bool find_arc(const Surface& s, const Tangents& frame, const std::vector<Vec3>& points,
+              double& begin, double& end) {
+  std::vector<double> azimuths;
+  azimuths.reserve(points.size());
+  for (const Vec3& p : points) {
+    azimuths.push_back(std::atan2(frame.w.dot(p - s.point), frame.u.dot(p - s.point)));
+  }
+  std::sort(azimuths.begin(), azimuths.end());
+  double gap = azimuths.front() + 2 * kPi - azimuths.back();
+  begin = azimuths.back();
+  end = azimuths.front();
+  for (std::size_t i = 1; i < azimuths.size(); ++i) {
+    if (azimuths[i] - azimuths[i - 1] > gap) {
+      gap = azimuths[i] - azimuths[i - 1];
+      begin = azimuths[i - 1];
+      end = azimuths[i];
+    }
+  }
+  return gap > kOpenArc;
+}
+
+/// Planes through the ends of an arc: radial, tangential-to-axis and the chord between them.
+void add_arc_planes(CandidatePool& pool, const Surface& s, const std::vector<Vec3>& points) {
+  const Tangents frame = tangents(s.axis);
+  double ends[2];
+  if (!find_arc(s, frame, points, ends[0], ends[1])) return;
+  Vec3 rim[2];
+  for (int k = 0; k < 2; ++k) {
+    const Vec3 outward = frame.u * std::cos(ends[k]) + frame.w * std::sin(ends[k]);
+    pool.add_plane_through(s.axis.cross(outward), s.point);
+    if (s.kind == SurfaceKind::Cylinder) pool.add_plane_through(outward, s.point);
+    rim[k] = s.point + outward * (s.kind == SurfaceKind::Torus ? s.major_radius : s.radius);
+  }
+  if (s.kind == SurfaceKind::Cone) return;
+  const Vec3 chord_normal = s.axis.cross(rim[1] - rim[0]);
+  if (chord_normal.norm() > 1e-6 * (rim[1] - rim[0]).norm() && (rim[1] - rim[0]).norm() > 0) {
+    pool.add_plane_through(chord_normal.normalized(), rim[0]);
+  }
+}
+
+void add_group_planes(CandidatePool& pool, const Halfspace& h, const std::vector<Vec3>& points,
+                      const std::vector<Vec3>& directions) {
+  const Surface& s = h.surface;
+  if (s.kind == SurfaceKind::Sphere) {
+    for (std::size_t k = 0; k < std::min<std::size_t>(directions.size(), 12); ++k) {
+      pool.add_plane_through(directions[k], s.point);
+      add_extents(pool, directions[k], points);
+    }
+    return;
+  }
+  add_extents(pool, s.axis, points);
+  if (s.kind == SurfaceKind::Torus) {
+    pool.add_plane_through(s.axis, s.point);
+    pool.add_cylinder(h);
+  }
+  add_arc_planes(pool, s, points);
+  for (const Vec3& d : directions) {
+    if (std::abs(d.dot(s.axis)) < 1e-3) pool.add_plane_through(d, s.point);
+  }
+}
+
+/// The conflicting points, cell by cell, with the side of every candidate on which each lies.
+struct Conflict {
+  std::vector<std::size_t> points;
+  std::vector<std::vector<Word>> sides;  ///< per candidate, a bit per point
+};
+
+Conflict gather_conflict(const SampleTable& table, const Cells& cells,
+                         const std::vector<Halfspace>& candidates, const RunContext& run) {
+  Conflict c;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const int cell = cells.cell_of_point[i];
+    if (std::min(cells.inside_count[cell], cells.outside_count[cell]) > 0) c.points.push_back(i);
+  }
+  c.sides.resize(candidates.size());
+  for_each_index(run.threads, candidates.size(), [&](std::size_t k) {
+    c.sides[k].assign((c.points.size() + 63) / 64, 0);
+    for (std::size_t i = 0; i < c.points.size(); ++i) {
+      if (candidates[k].surface.signed_distance(table.points[c.points[i]]) < 0) {
+        set_bit(c.sides[k].data(), i);
+      }
+    }
+  });
+  return c;
+}
+
+/// Conflicting points that candidate `k` would resolve.
+long resolved_by(const Conflict& conflict, std::size_t k, const SampleTable& table,
+                 const Cells& cells, std::vector<int>& counts) {
+  // counts[2 * cell + label]: points on the inner side
+  counts.assign(2 * cells.size(), 0);
+  for_each_bit(conflict.sides[k], [&](std::size_t i) {
+    const std::size_t p = conflict.points[i];
+    ++counts[2 * static_cast<std::size_t>(cells.cell_of_point[p]) + (table.is_inside[p] ? 1 : 0)];
+  });
+  long total = 0;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const int in = counts[2 * c + 1];
+    const int out = counts[2 * c];
+    if (in + out == 0) continue;
+    total += std::min(cells.inside_count[c], cells.outside_count[c]) - std::min(in, out) -
+             std::min(cells.inside_count[c] - in, cells.outside_count[c] - out);
+  }
+  return total;
+}
+
+}  // namespace
+
+std::vector<Halfspace> separating_candidates(const SampleSpace& space, SurfaceSet& surfaces) {
+  CandidatePool pool(space, surfaces);
+  const auto end = surfaces.directions.begin() +
+                   static_cast<long>(std::min(surfaces.directions.size(), kMaxAxisDirections));
+  const std::vector<Vec3> directions(surfaces.directions.begin(), end);
+  for (std::size_t g = 0; g < space.segmentation->groups.size(); ++g) {
+    const int index = surfaces.halfspace_of_group[g];
+    if (index < 0 || !space.label->owns_group(static_cast<int>(g))) continue;
+    const Halfspace h = surfaces.halfspaces[index];
+    if (h.surface.kind == SurfaceKind::Plane) continue;
+    add_group_planes(pool, h, group_vertices(space.mesh(), space.segmentation->groups[g]),
+                     directions);
+  }
+  for (int c = 0; c < 3; ++c) {
+    const Vec3 axis = space.frame.rotation.col(c);
+    pool.add_plane(axis, space.frame.box.lo[c]);
+    pool.add_plane(axis, space.frame.box.hi[c]);
+  }
+  return pool.take();
+}
+
+int add_separating_halfspaces(const SampleSpace& space, SurfaceSet& surfaces, SampleTable& table,
+                              Cells& cells, const RunContext& run) {
+  const double points = static_cast<double>(table.size());
+  const auto share = [&] { return static_cast<double>(cells.conflicting_points()) / points; };
+  if (share() < kWorthLooking) return 0;
+  std::vector<Halfspace> candidates = separating_candidates(space, surfaces);
+  const Conflict conflict = gather_conflict(table, cells, candidates, run);
+  int added = 0;
+  while (added < kMaxAdded && share() >= kGoodEnough && !run.is_cancelled()) {
+    std::vector<long> resolved(candidates.size(), 0);
+    for_each_chunk(run.threads, candidates.size(), 64, [&](std::size_t begin, std::size_t end) {
+      std::vector<int> counts;
+      for (std::size_t k = begin; k < end; ++k) {
+        resolved[k] = resolved_by(conflict, k, table, cells, counts);
+      }
+    });
+    const auto best = std::max_element(resolved.begin(), resolved.end());
+    if (best == resolved.end() || static_cast<double>(*best) < std::max(2.0, 2e-5 * points)) break;
+    surfaces.halfspaces.push_back(candidates[static_cast<std::size_t>(best - resolved.begin())]);
+    append_halfspaces(table, surfaces.halfspaces);
+    cells = find_cells(table);
+    ++added;
+  }
+  return added;
+}
+
+}  // namespace hewn

@@ -1,0 +1,70 @@
+#include "core/synth/decompose/decision_list.h"
+
+#include <algorithm>
+
+namespace hewn {
+
+void evaluate_list(std::span<const TermPtr> items, bool base, std::vector<Word>& inside) {
+  std::fill(inside.begin(), inside.end(), base ? ~Word{0} : Word{0});
+  for (std::size_t k = items.size(); k-- > 0;) {
+    const Word* cover = items[k]->cover.data();
+    if (items[k]->fills) {
+      for (std::size_t i = 0; i < inside.size(); ++i) inside[i] |= cover[i];
+    } else {
+      for (std::size_t i = 0; i < inside.size(); ++i) inside[i] &= ~cover[i];
+    }
+  }
+}
+
+std::vector<Word> wrong_cells(const SearchSpace& space, std::span<const TermPtr> items, bool base) {
+  std::vector<Word> wrong(space.words());
+  evaluate_list(items, base, wrong);
+  const std::vector<Word>& wanted = space.columns->wanted();
+  for (std::size_t i = 0; i < wrong.size(); ++i) {
+    wrong[i] = (wrong[i] ^ wanted[i]) & space.care[i];
+  }
+  return wrong;
+}
+
+bool is_right(const SearchSpace& space, std::span<const TermPtr> items, bool base) {
+  // Block by block: a wrong block ends the check early.
+  const std::vector<Word>& wanted = space.columns->wanted();
+  for (std::size_t block = 0; block < space.words(); block += kWordBlock) {
+    Word inside[kWordBlock];
+    std::fill_n(inside, kWordBlock, base ? ~Word{0} : Word{0});
+    for (std::size_t k = items.size(); k-- > 0;) {
+      const Word* cover = items[k]->cover.data() + block;
+      if (items[k]->fills) {
+        for (std::size_t i = 0; i < kWordBlock; ++i) inside[i] |= cover[i];
+      } else {
+        for (std::size_t i = 0; i < kWordBlock; ++i) inside[i] &= ~cover[i];
+      }
+    }
+    Word wrong = 0;
+    for (std::size_t i = 0; i < kWordBlock; ++i) {
+      wrong |= (inside[i] ^ wanted[block + i]) & space.care[block + i];
+    }
+    if (wrong != 0) return false;
+  }
+  return true;
+}
+
+void drop_redundant_items(const SearchSpace& space, std::vector<TermPtr>& items, bool base) {
+  for (std::size_t k = items.size(); k-- > 0;) {
+    const TermPtr removed = items[k];
+    items.erase(items.begin() + static_cast<long>(k));
+    if (!is_right(space, items, base)) items.insert(items.begin() + static_cast<long>(k), removed);
+  }
+}
+
+TermPtr with_cover(const ColumnTable& columns, const Term& term) {
+  auto fresh = std::make_shared<Term>(term);
+  fresh->cover = columns.all();
+  for (const TermLiteral& l : fresh->literals) {
+    const Word* column = columns.column(static_cast<std::size_t>(l.halfspace), l.inside);
+    for (std::size_t i = 0; i < fresh->cover.size(); ++i) fresh->cover[i] &= column[i];
+  }
+  return fresh;
+}
+
+}  // namespace hewn

@@ -1,0 +1,64 @@
+#pragma once
+/// Growing one pure term from a seed cell, literal by literal.
+#include <optional>
+#include <vector>
+
+#include "core/base/rng.h"
+#include "core/sample/cells.h"
+#include "core/synth/decompose/term.h"
+#include "core/synth/decompose/term_cost.h"
+
+namespace hewn {
+
+/// Which kind of term to prefer; others are taken only when the preferred kind cannot be pure.
+enum class GrowMode { Free, CappedCurved, SingleBox, CurvedFirst };
+
+struct GrowRequest {
+  const std::vector<Word>* open = nullptr;      ///< cells not decided yet
+  const std::vector<Word>* required = nullptr;  ///< count gain only here; null: all open cells
+  std::size_t seed = 0;                         ///< a cell that the term must cover
+  bool fills = true;
+  double noise = 0;  ///< random factor on gains, for variety
+  GrowMode mode = GrowMode::Free;
+};
+
+/// Grows terms by information gain per marginal cost (FOIL, Quinlan 1990), then drops literals
+/// that purity does not need. Holds scratch memory: one per thread.
+class TermGrower {
+ public:
+  TermGrower(const ColumnTable& columns, const Combinability& combinability);
+
+  /// A term that covers the seed and no open cell of the other kind; nullopt when none was found.
+  /// Cost: O(literals x halfspaces x words).
+  std::optional<Term> grow(const GrowRequest& request, Rng& rng);
+
+  long terms_grown() const { return terms_grown_; }
+
+ private:
+  struct Choice {
+    double gain = 0;
+    std::size_t candidate = 0;
+    bool found = false;
+  };
+  void start(const GrowRequest& request);
+  bool take_curved(const GrowRequest& request, Rng& rng, int& restrict_to);
+  void take(int halfspace, bool inside);
+  void count_candidates(int others);
+  Choice choose(const GrowRequest& request, int others, int restrict_to, bool preferred_only,
+                Rng& rng) const;
+  double marginal_cost(int plane) const;
+  void drop_redundant();
+  bool is_pure_without(std::size_t skipped) const;
+
+  const ColumnTable* columns_;
+  const Combinability* combinability_;
+  std::vector<double> log_;
+  std::vector<Word> others_, others_at_start_, same_;
+  std::vector<TermLiteral> literals_;
+  std::vector<TermLiteral> candidates_;
+  std::vector<const Word*> candidate_columns_;
+  std::vector<CommonCounts> counts_;
+  long terms_grown_ = 0;
+};
+
+}  // namespace hewn

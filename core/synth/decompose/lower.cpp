@@ -1,0 +1,297 @@
+#include "core/synth/decompose/lower.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/synth/decompose/term_cost.h"
+
+namespace hewn {
+namespace {
+
+constexpr double kParallel = 1e-9;
+constexpr double kMarginShare = 0.02;  // of the diagonal: how far tools stick out
+
+/// The largest of 1, 2, 5 x 10^n that is no larger than `x`.
+double round_down_nicely(double x) {
+  const double power = std::pow(10, std::floor(std::log10(x)));
+  const double lead = x / power;
+  return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
+}
+
+struct Interval {
+  double lo = -kInfinity, hi = kInfinity;
+};
+
+/// Right-handed frame around an axis; that of a coordinate axis consists of coordinate axes.
+Mat3 frame_around(const Vec3& axis) {
+  Mat3 frame;
+  for (int c = 0; c < 3; ++c) {
+    if (axis[c] > 1 - 1e-12) {
+      frame.col(0) = Vec3::Unit((c + 1) % 3);
+      frame.col(1) = Vec3::Unit((c + 2) % 3);
+      frame.col(2) = Vec3::Unit(c);
+      return frame;
+    }
+  }
+  const Tangents t = tangents(axis);
+  frame.col(0) = t.u;
+  frame.col(1) = t.w;
+  frame.col(2) = axis;
+  return frame;
+}
+
+/// The axis with its largest component positive.
+Vec3 upright(const Vec3& axis) {
+  int largest = 0;
+  axis.cwiseAbs().maxCoeff(&largest);
+  return axis[largest] < 0 ? Vec3(-axis) : axis;
+}
+
+class Lowering {
+ public:
+  Lowering(const SurfaceSet& surfaces, const Mesh& mesh, const std::vector<int>& triangles,
+           const Frame& frame, const LoweringOptions& options)
+      : surfaces_(surfaces),
+        combinability_(surfaces),
+        mesh_(mesh),
+        triangles_(triangles),
+        frame_(frame),
+        options_(options),
+        margin_(round_down_nicely(kMarginShare * mesh.diagonal())) {}
+
+  Tree lower(const DecisionList& list) {
+    collect_reach(list);
+    if (list.base) tree_.root = add(frame_box());
+    for (std::size_t k = list.items.size(); k > 0;) {
+      const bool fills = list.items[k - 1]->fills;
+      std::vector<int> children;
+      if (tree_.root >= 0) children.push_back(tree_.root);
+      for (; k > 0 && list.items[k - 1]->fills == fills; --k) {
+        if (fills || !children.empty()) children.push_back(term(*list.items[k - 1]));
+      }
+      if (children.empty()) continue;  // nothing to subtract from
+      tree_.root = children.size() == 1
+                       ? children[0]
+                       : tree_.add_node(fills ? Op::Union : Op::Difference, std::move(children));
+    }
+    if (options_.clip && tree_.root >= 0) {
+      tree_.root = tree_.add_node(Op::Intersection, {tree_.root, add(frame_box())});
+    }
+    return flattened(tree_);
+  }
+
+ private:
+  int add(Literal literal) { return tree_.add_literal(std::move(literal)); }
+
+  Literal frame_box() const {
+    Literal box;
+    box.kind = SolidKind::Box;
+    box.rotation = frame_.rotation;
+    box.origin = frame_.box.lo;
+    box.size = frame_.box.size();
+    return box;
+  }
+
+  int term(const Term& t) {
+    std::vector<int> kept;
+    std::vector<int> removed;
+    for (const PrimitivePlan& plan : plan_primitives(t.literals, combinability_)) {
+      // Unbounded sides: solids end with the geometry, tools reach beyond it, and what is taken
+      // out of a tool reaches beyond the tool.
+      const int reach = (t.fills && !options_.is_tool ? 0 : 1) + (plan.is_positive() ? 0 : 1);
+      const Literal literal = plan.is_box() ? box(plan, reach) : curved(plan, reach);
+      (plan.is_positive() ? kept : removed).push_back(add(literal));
+    }
+    int node = kept.size() == 1 ? kept[0] : tree_.add_node(Op::Intersection, kept);
+    if (!removed.empty()) {
+      removed.insert(removed.begin(), node);
+      node = tree_.add_node(Op::Difference, removed);
+    }
+    return node;
+  }
+
+  /// The corners of everything that is united: what tools must be able to reach. A united box at
+  /// an angle may stand out of the geometry where a tool takes it away again.
+  void collect_reach(const DecisionList& list) {
+    const auto add_corners = [this](const Box3& box, const Mat3& rotation) {
+      for (int k = 0; k < 8; ++k) {
+        const Vec3 pick((k & 1) != 0, (k & 2) != 0, (k & 4) != 0);
+        reach_.push_back(rotation * (box.lo + pick.cwiseProduct(box.size())));
+      }
+    };
+    add_corners(frame_.box, frame_.rotation);
+    for (const TermPtr& item : list.items) {
+      if (!item->fills) continue;
+      for (const PrimitivePlan& plan : plan_primitives(item->literals, combinability_)) {
+        if (!plan.is_positive()) continue;
+        const Literal literal = plan.is_box() ? box(plan, 0) : curved(plan, 0);
+        add_corners(local_bounds(literal), literal.rotation);
+      }
+    }
+  }
+
+  /// The literal's box in its own rotated coordinates.
+  static Box3 local_bounds(const Literal& l) {
+    if (l.kind == SolidKind::Box) return {l.origin, l.origin + l.size};
+    const double radius = std::max(l.radius, l.top_radius) + l.major_radius;
+    const bool is_cylinder = l.kind == SolidKind::Cylinder;
+    const Vec3 below(radius, radius, is_cylinder ? 0 : radius);
+    const Vec3 above(radius, radius, is_cylinder ? l.height : radius);
+    return {l.origin - below, l.origin + above};
+  }
+
+  /// The extent along a direction: of the geometry, or with `reach` > 0 of all that tools must
+  /// reach, enlarged by that many margins.
+  Interval extent(const Vec3& direction, int reach) const {
+    Interval e{kInfinity, -kInfinity};
+    const auto extend = [&](const Vec3& p) {
+      e.lo = std::min(e.lo, direction.dot(p));
+      e.hi = std::max(e.hi, direction.dot(p));
+    };
+    if (reach > 0) {
+      for (const Vec3& p : reach_) extend(p);
+      return {e.lo - reach * margin_, e.hi + reach * margin_};
+    }
+    if (triangles_.empty()) {
+      for (const Vec3& p : mesh_.vertices) extend(p);
+    }
+    for (const int t : triangles_) {
+      for (int k = 0; k < 3; ++k) extend(mesh_.corner(t, k));
+    }
+    return e;
+  }
+
+  /// Bounds of the plane sides along `axis`.
+  Interval bounds_along(const Vec3& axis, const std::vector<TermLiteral>& planes) const {
+    Interval bounds;
+    for (const TermLiteral& l : planes) {
+      const Surface& s = surfaces_.halfspaces[l.halfspace].surface;
+      if (s.axis.cross(axis).norm() > kParallel) continue;
+      const bool same_sense = s.axis.dot(axis) > 0;
+      const double offset = same_sense ? s.offset : -s.offset;
+      if (l.inside == same_sense) {
+        bounds.hi = std::min(bounds.hi, offset);
+      } else {
+        bounds.lo = std::max(bounds.lo, offset);
+      }
+    }
+    return bounds;
+  }
+
+  /// Closes open ends with the geometry's extent; solids never exceed it.
+  Interval closed(const Vec3& axis, Interval bounds, int reach) const {
+    const Interval limit = extent(axis, reach);
+    if (reach == 0 || bounds.lo == -kInfinity) bounds.lo = std::max(bounds.lo, limit.lo);
+    if (reach == 0 || bounds.hi == kInfinity) bounds.hi = std::min(bounds.hi, limit.hi);
+    bounds.hi = std::max(bounds.hi, bounds.lo);
+    return bounds;
+  }
+
+  Mat3 box_frame(const std::vector<TermLiteral>& planes) const {
+    std::vector<Vec3> axes;
+    for (const TermLiteral& l : planes) {
+      const Vec3 axis = upright(surfaces_.halfspaces[l.halfspace].surface.axis);
+      const bool known = std::any_of(axes.begin(), axes.end(), [&](const Vec3& a) {
+        return a.cross(axis).norm() < kParallel;
+      });
+      if (!known) axes.push_back(axis);
+    }
+    // Missing axes: the frame's own when they fit, so that the box needs no extra rotation.
+    for (int c = 0; c < 3 && axes.size() < 3; ++c) {
+      const Vec3 candidate = frame_.rotation.col(c);
+      const bool fits = std::all_of(axes.begin(), axes.end(), [&](const Vec3& a) {
+        return std::abs(a.dot(candidate)) < 1e-6;
+      });
+      if (fits) axes.push_back(candidate);
+    }
+    if (axes.size() == 1) axes.push_back(frame_around(axes[0]).col(0));
+    if (axes.size() == 2) axes.push_back(axes[0].cross(axes[1]).normalized());
+    return ordered(axes);
+  }
+
+  /// A right-handed matrix of the axes; coordinate axes give the identity.
+  static Mat3 ordered(std::vector<Vec3> axes) {
+    Mat3 m;
+    // Each axis goes to the free column of its largest component.
+    std::vector<char> used(3, 0);
+    for (const Vec3& a : axes) {
+      int best = -1;
+      for (int c = 0; c < 3; ++c) {
+        if (!used[c] && (best < 0 || std::abs(a[c]) > std::abs(a[best]))) best = c;
+      }
+      used[best] = 1;
+      m.col(best) = a;
+    }
+    if (m.determinant() < 0) m.col(2) = -m.col(2);
+    return m;
+  }
+
+  Literal box(const PrimitivePlan& plan, int reach) const {
+    Literal out;
+    out.kind = SolidKind::Box;
+    out.rotation = box_frame(plan.planes);
+    for (int c = 0; c < 3; ++c) {
+      const Vec3 axis = out.rotation.col(c);
+      const Interval side = closed(axis, bounds_along(axis, plan.planes), reach);
+      out.origin[c] = side.lo;
+      out.size[c] = side.hi - side.lo;
+    }
+    return out;
+  }
+
+  Literal curved(const PrimitivePlan& plan, int reach) const {
+    const Halfspace& h = surfaces_.halfspaces[plan.curved];
+    const Surface& s = h.surface;
+    Literal out;
+    out.facets = h.facets;
+    out.radius = s.radius;
+    if (s.kind == SurfaceKind::Sphere) {
+      out.kind = SolidKind::Sphere;
+      out.origin = s.point;
+      return out;
+    }
+    // A cone's axis points from its apex; the others may be turned.
+    const Vec3 axis = s.kind == SurfaceKind::Cone ? s.axis : upright(s.axis);
+    out.rotation = frame_around(axis);
+    out.origin = out.rotation.transpose() * s.point;
+    if (s.kind == SurfaceKind::Torus) {
+      out.kind = SolidKind::Torus;
+      out.major_radius = s.major_radius;
+      return out;
+    }
+    out.kind = SolidKind::Cylinder;
+    Interval side = closed(axis, bounds_along(axis, plan.planes), reach);
+    if (s.kind == SurfaceKind::Cone) {
+      const double apex = out.origin.z();
+      side.lo = std::max(side.lo, apex);
+      side.hi = std::max(side.hi, side.lo);
+      out.radius = (side.lo - apex) * std::tan(s.half_angle_rad);
+      out.top_radius = (side.hi - apex) * std::tan(s.half_angle_rad);
+    } else {
+      out.top_radius = out.radius;
+    }
+    out.origin.z() = side.lo;
+    out.height = side.hi - side.lo;
+    return out;
+  }
+
+  const SurfaceSet& surfaces_;
+  Combinability combinability_;
+  const Mesh& mesh_;
+  const std::vector<int>& triangles_;
+  const Frame& frame_;
+  const LoweringOptions& options_;
+  double margin_;
+  std::vector<Vec3> reach_;
+  Tree tree_;
+};
+
+}  // namespace
+
+Tree lower_list(const DecisionList& list, const SurfaceSet& surfaces, const Mesh& mesh,
+                const std::vector<int>& triangles, const Frame& frame,
+                const LoweringOptions& options) {
+  return Lowering(surfaces, mesh, triangles, frame, options).lower(list);
+}
+
+}  // namespace hewn

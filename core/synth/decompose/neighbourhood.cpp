@@ -1,0 +1,224 @@
+#include "core/synth/decompose/neighbourhood.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/synth/decompose/grow.h"
+
+namespace hewn {
+namespace {
+
+constexpr double kRegrowNoise = 0.5;
+constexpr int kCommuteMoves = 3;
+constexpr std::size_t kLargestWindow = 5;
+constexpr std::size_t kWidestBlock = 7;
+constexpr int kRepairTries = 16;
+constexpr int kMaxRepairs = 400;
+
+struct Window {
+  std::size_t begin = 0, end = 0;
+};
+
+/// One walk through the neighbourhood of a list.
+class Walk {
+ public:
+  Walk(const SearchSpace& space, const NeighbourhoodOptions& options, TermGrower& grower, Rng& rng)
+      : space_(space), options_(options), grower_(grower), rng_(rng) {}
+
+  /// Tries one window of `list`; true when it was replaced by something no worse.
+  bool step(DecisionList& list) {
+    std::vector<TermPtr> items = list.items;
+    commute(items, list.base);
+    Window window = random_window(items.size());
+    if (items.size() > 3 && rng_.coin()) gather_related(items, list.base, window);
+    std::vector<TermPtr> replacement;
+    if (!solve_window(items, list.base, window, replacement)) return false;
+    std::vector<TermPtr> result(items.begin(), items.begin() + static_cast<long>(window.begin));
+    result.insert(result.end(), replacement.begin(), replacement.end());
+    result.insert(result.end(), items.begin() + static_cast<long>(window.end), items.end());
+    if (!is_right(space_, result, list.base)) return false;
+    drop_redundant_items(space_, result, list.base);
+    DecisionList candidate{std::move(result), list.base};
+    if (candidate.cost() > list.cost()) return false;
+    list = std::move(candidate);
+    return true;
+  }
+
+ private:
+  /// Moves an item as long as the list stays right.
+  bool try_move(std::vector<TermPtr>& items, bool base, std::size_t from, std::size_t to) {
+    std::vector<TermPtr> moved = items;
+    const TermPtr item = moved[from];
+    moved.erase(moved.begin() + static_cast<long>(from));
+    moved.insert(moved.begin() + static_cast<long>(std::min(to, moved.size())), item);
+    if (!is_right(space_, moved, base)) return false;
+    items = std::move(moved);
+    return true;
+  }
+
+  void commute(std::vector<TermPtr>& items, bool base) {
+    if (items.size() < 2) return;
+    for (int k = 0; k < kCommuteMoves; ++k) {
+      const std::size_t from = rng_.below(items.size());
+      const std::size_t to = rng_.below(items.size());
+      try_move(items, base, from, to);
+    }
+  }
+
+  Window random_window(std::size_t n) {
+    const std::size_t width = 1 + rng_.below(std::min(n, kLargestWindow));
+    const std::size_t begin = rng_.below(n - width + 1);
+    return {begin, begin + width};
+  }
+
+  /// Brings items that share halfspaces or cells with a random one together into one window.
+  void gather_related(std::vector<TermPtr>& items, bool base, Window& window) {
+    const TermPtr key = items[rng_.below(items.size())];
+    std::vector<std::pair<double, TermPtr>> related;
+    for (const TermPtr& item : items) {
+      if (item != key) related.emplace_back(relatedness(*item, *key), item);
+    }
+    std::stable_sort(related.begin(), related.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    const std::size_t wanted = std::min<std::size_t>(1 + rng_.below(4), related.size());
+    std::vector<TermPtr> block{key};
+    for (std::size_t k = 0; k < wanted; ++k) {
+      const TermPtr& item = related[k].second;
+      const std::size_t at = index_of(items, key);
+      const std::size_t from = index_of(items, item);
+      const std::size_t to = from < at ? at - 1 : at + block.size();
+      if (try_move(items, base, from, to)) block.push_back(item);
+    }
+    std::size_t lo = items.size();
+    std::size_t hi = 0;
+    for (const TermPtr& item : block) {
+      lo = std::min(lo, index_of(items, item));
+      hi = std::max(hi, index_of(items, item));
+    }
+    if (hi - lo < kWidestBlock) window = {lo, hi + 1};
+  }
+
+  double relatedness(const Term& a, const Term& b) {
+    int shared = 0;
+    for (const TermLiteral& x : a.literals) {
+      for (const TermLiteral& y : b.literals) shared += x.halfspace == y.halfspace ? 1 : 0;
+    }
+    const int overlap = bit_kernels().count_and(a.cover.data(), b.cover.data(), a.cover.size());
+    return shared + 0.5 * std::log(1.0 + overlap) + 3 * rng_.uniform();
+  }
+
+  static std::size_t index_of(const std::vector<TermPtr>& items, const TermPtr& item) {
+    return static_cast<std::size_t>(std::find(items.begin(), items.end(), item) - items.begin());
+  }
+
+  /// Finds terms that decide what the window decided, at no higher cost.
+  bool solve_window(const std::vector<TermPtr>& items, bool base, const Window& window,
+                    std::vector<TermPtr>& replacement) {
+    open_ = space_.care;
+    for (std::size_t k = 0; k < window.begin; ++k) {
+      for (std::size_t i = 0; i < open_.size(); ++i) open_[i] &= ~items[k]->cover[i];
+    }
+    required_.resize(space_.words());
+    evaluate_list({items.data() + window.end, items.size() - window.end}, base, required_);
+    const std::vector<Word>& wanted = space_.columns->wanted();
+    for (std::size_t i = 0; i < required_.size(); ++i) {
+      required_[i] = (required_[i] ^ wanted[i]) & open_[i];
+    }
+    int budget = 0;
+    for (std::size_t k = window.begin; k < window.end; ++k) budget += items[k]->cost;
+    for (;;) {
+      cells_.clear();
+      for_each_bit(required_, [this](std::size_t c) { cells_.push_back(c); });
+      if (cells_.empty()) return true;
+      TermPtr best = best_regrown(budget);
+      if (!best) return false;
+      budget -= best->cost;
+      for (std::size_t i = 0; i < open_.size(); ++i) {
+        open_[i] &= ~best->cover[i];
+        required_[i] &= ~best->cover[i];
+      }
+      replacement.push_back(std::move(best));
+    }
+  }
+
+  /// The regrown term that decides the most required cells per cost, none dearer than `budget`.
+  TermPtr best_regrown(int budget) {
+    double best_score = 0;
+    std::optional<Term> best;
+    for (int k = 0; k < options_.regrow_tries && budget > 0; ++k) {
+      GrowRequest request;
+      request.open = &open_;
+      request.seed = cells_[rng_.below(cells_.size())];
+      request.fills = test_bit(space_.columns->wanted().data(), request.seed);
+      request.required = rng_.below(4) != 0 ? &required_ : nullptr;
+      request.noise = kRegrowNoise;
+      request.mode = static_cast<GrowMode>(rng_.below(4));
+      std::optional<Term> term = grower_.grow(request, rng_);
+      if (!term || term->cost > budget) continue;
+      const int decided =
+          bit_kernels().count_and(term->cover.data(), required_.data(), required_.size());
+      const double score = decided * (1 + 0.3 * (rng_.uniform() - 0.5)) / term->cost;
+      if (score > best_score) {
+        best_score = score;
+        best = std::move(term);
+      }
+    }
+    return best ? std::make_shared<const Term>(std::move(*best)) : nullptr;
+  }
+
+  const SearchSpace& space_;
+  const NeighbourhoodOptions& options_;
+  TermGrower& grower_;
+  Rng& rng_;
+  std::vector<Word> open_, required_;
+  std::vector<std::size_t> cells_;
+};
+
+}  // namespace
+
+int improve_list(const SearchSpace& space, const NeighbourhoodOptions& options, DecisionList& list,
+                 TermGrower& grower, Rng& rng, const RunContext& run) {
+  Walk walk(space, options, grower, rng);
+  int stall = 0;
+  int step = 0;
+  for (; step < options.steps && stall < options.stall_steps && list.items.size() > 0; ++step) {
+    if (run.should_stop()) break;
+    const int before = list.cost();
+    walk.step(list);
+    stall = list.cost() < before ? 0 : stall + 1;
+  }
+  return step;
+}
+
+bool repair_list(const SearchSpace& space, DecisionList& list, TermGrower& grower, Rng& rng) {
+  for (int round = 0; round < kMaxRepairs; ++round) {
+    const std::vector<Word> wrong = wrong_cells(space, list.items, list.base);
+    std::vector<std::size_t> cells;
+    for_each_bit(wrong, [&](std::size_t c) { cells.push_back(c); });
+    if (cells.empty()) return true;
+    double best_score = 0;
+    std::optional<Term> best;
+    for (int k = 0; k < kRepairTries; ++k) {
+      GrowRequest request;
+      request.open = &space.care;
+      request.seed = cells[rng.below(cells.size())];
+      request.fills = test_bit(space.columns->wanted().data(), request.seed);
+      request.required = rng.coin() ? &wrong : nullptr;
+      request.noise = 0.4;
+      request.mode = static_cast<GrowMode>(rng.below(4));
+      std::optional<Term> term = grower.grow(request, rng);
+      if (!term) continue;
+      const int mended = bit_kernels().count_and(term->cover.data(), wrong.data(), wrong.size());
+      const double score = static_cast<double>(mended) / term->cost;
+      if (score > best_score) {
+        best_score = score;
+        best = std::move(term);
+      }
+    }
+    if (!best) return false;
+    list.items.insert(list.items.begin(), std::make_shared<const Term>(std::move(*best)));
+  }
+  return false;
+}
+
+}  // namespace hewn

@@ -1,0 +1,348 @@
+#include "core/synth/find_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "core/compute/parallel.h"
+#include "core/sample/cells.h"
+#include "core/sample/separate.h"
+#include "core/synth/decompose/construct.h"
+#include "core/synth/decompose/grow.h"
+#include "core/synth/decompose/lower.h"
+#include "core/synth/decompose/neighbourhood.h"
+#include "core/synth/decompose/relax.h"
+#include "core/synth/verify.h"
+
+namespace hewn {
+namespace {
+
+/// Agreements closer than this are equal; the smaller list then wins.
+constexpr double kSameAgreement = 3e-5;
+constexpr int kFewCounterexamples = 3;
+constexpr std::size_t kMaxDensified = 2000;
+constexpr int kDensifyCopies = 4;
+constexpr double kDensifyReach = 0.01;  // of the diagonal
+constexpr double kOnBox = 3e-4;         // of the diagonal: a halfspace that is a side of the box
+
+/// A right list with what it leaves out of account.
+struct Solution {
+  DecisionList list;
+  bool clip = false;  ///< outside the frame's box nothing was asked of the list
+  int cost() const { return list.cost() + (clip && !list.base ? 1 : 0); }
+  bool is_clipped() const { return clip || list.base; }
+};
+
+/// The halfspaces that a partition may use: its own groups' and those without groups (cut planes).
+SurfaceSet select_surfaces(const SurfaceSet& all, const Labeller& label) {
+  if (label.owns_all()) return all;
+  std::vector<char> use(all.halfspaces.size(), 0);
+  std::vector<char> has_group(all.halfspaces.size(), 0);
+  for (std::size_t g = 0; g < all.halfspace_of_group.size(); ++g) {
+    const int h = all.halfspace_of_group[g];
+    if (h < 0) continue;
+    has_group[h] = 1;
+    if (label.owns_group(static_cast<int>(g))) use[h] = 1;
+  }
+  SurfaceSet out;
+  out.directions = all.directions;
+  std::vector<int> renumbered(all.halfspaces.size(), -1);
+  for (std::size_t h = 0; h < all.halfspaces.size(); ++h) {
+    if (!use[h] && has_group[h]) continue;
+    renumbered[h] = static_cast<int>(out.halfspaces.size());
+    out.halfspaces.push_back(all.halfspaces[h]);
+  }
+  for (const int h : all.halfspace_of_group) {
+    out.halfspace_of_group.push_back(h < 0 ? -1 : renumbered[h]);
+  }
+  return out;
+}
+
+std::vector<int> triangles_of(const Segmentation& segmentation, const std::vector<int>& groups) {
+  std::vector<int> out;
+  for (const int g : groups) {
+    const auto& t = segmentation.groups[g].triangles;
+    out.insert(out.end(), t.begin(), t.end());
+  }
+  return out;
+}
+
+class TreeSearch {
+ public:
+  TreeSearch(const TreeProblem& problem, const TreeSearchOptions& options, const RunContext& run)
+      : problem_(problem),
+        options_(options),
+        run_(run),
+        label_(*problem.query, *problem.segmentation, problem.groups, problem.is_subtracted),
+        surfaces_(select_surfaces(*problem.surfaces, label_)),
+        triangles_(triangles_of(*problem.segmentation, problem.groups)) {
+    space_.label = &label_;
+    space_.segmentation = problem.segmentation;
+    space_.halfspaces = &surfaces_.halfspaces;
+    space_.frame = find_frame(problem.query->mesh(), triangles_, surfaces_);
+    space_.diagonal = problem.query->mesh().diagonal();
+  }
+
+  Result<TreeAnswer> find() {
+    if (surfaces_.halfspaces.empty()) {
+      return Error{ErrorCode::NotFound,
+                   "no face group has a surface that could bound a solid; loosen the fit "
+                   "tolerances or segment by curvature"};
+    }
+    Result<SampleTable> table =
+        build_sample_table(space_, options_.volume_points, surfaces_.halfspace_of_group, run_);
+    if (!table) return table.error();
+    table_ = std::move(*table);
+    cells_ = find_cells(table_);
+    separate();
+    for (int round = 0; round <= options_.rounds; ++round) {
+      if (!search_round(round)) break;
+      if (run_.is_cancelled()) return RunContext::cancelled();
+      if (!check_round(round)) break;
+    }
+    if (!best_) {
+      return Error{ErrorCode::NotFound,
+                   "no tree separates inside from outside with the surfaces found; the mesh may "
+                   "be open or its free-form parts need a cut or a looser tolerance"};
+    }
+    return finish();
+  }
+
+ private:
+  void separate() {
+    answer_.separating += add_separating_halfspaces(space_, surfaces_, table_, cells_, run_);
+  }
+
+  /// Everything that depends on the cells.
+  void rebuild_columns() {
+    columns_.emplace(table_, cells_);
+    combinability_.emplace(surfaces_);
+    for (const bool clip : {false, true}) {
+      SearchSpace& s = spaces_[clip ? 1 : 0];
+      s.columns = &*columns_;
+      s.combinability = &*combinability_;
+      s.care = columns_->all();
+    }
+    drop_outside_box(spaces_[1].care);
+    answer_.cells = static_cast<int>(columns_->cells());
+  }
+
+  /// Removes the cells beyond the sides of the frame's box.
+  void drop_outside_box(std::vector<Word>& care) const {
+    const Frame& frame = space_.frame;
+    for (int c = 0; c < 3; ++c) {
+      const Vec3 axis = frame.rotation.col(c);
+      for (std::size_t k = 0; k < surfaces_.halfspaces.size(); ++k) {
+        const Surface& s = surfaces_.halfspaces[k].surface;
+        if (s.kind != SurfaceKind::Plane || s.axis.cross(axis).norm() > 1e-9) continue;
+        const bool same_sense = s.axis.dot(axis) > 0;
+        const double offset = same_sense ? s.offset : -s.offset;
+        const bool is_low = std::abs(offset - frame.box.lo[c]) < kOnBox * space_.diagonal;
+        const bool is_high = std::abs(offset - frame.box.hi[c]) < kOnBox * space_.diagonal;
+        if (!is_low && !is_high) continue;
+        const Word* inner = columns_->column(k, is_high == same_sense);
+        for (std::size_t i = 0; i < care.size(); ++i) care[i] &= inner[i];
+      }
+    }
+    std::vector<char> reaches_in(columns_->cells(), 0);
+    for (std::size_t i = 0; i < table_.size(); ++i) {
+      const int kept = columns_->kept_index(cells_.cell_of_point[i]);
+      if (kept < 0 || reaches_in[kept]) continue;
+      reaches_in[kept] =
+          frame.box.contains(frame.to_local(table_.points[i]), 1e-5 * space_.diagonal) ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < reaches_in.size(); ++i) {
+      if (!reaches_in[i]) care[i >> 6] &= ~(Word{1} << (i & 63));
+    }
+  }
+
+  bool search_round(int round) {
+    rebuild_columns();
+    run_.report("search", 0.2 + 0.7 * round / (options_.rounds + 1));
+    if (round > 0 && repair(round)) return true;
+    return construct(round);
+  }
+
+  std::uint64_t stream(int round, int task) const {
+    return 0x500000 + static_cast<std::uint64_t>(round) * 1000 + static_cast<std::uint64_t>(task);
+  }
+
+  NeighbourhoodOptions walk_options(const DecisionList& list, int share) const {
+    NeighbourhoodOptions o;
+    const int scaled = 40 + 20 * static_cast<int>(list.items.size());
+    o.stall_steps = std::max(20, std::min(scaled, options_.neighbourhood_steps) / share);
+    o.steps = 6 * o.stall_steps;
+    return o;
+  }
+
+  /// Several independent constructions, the best of which are refined further.
+  bool construct(int round) {
+    const std::size_t starts = static_cast<std::size_t>(std::max(1, options_.starts));
+    std::vector<std::optional<Solution>> found(starts);
+    std::vector<long> grown(starts, 0);
+    for_each_index(run_.threads, starts, [&](std::size_t i) {
+      const bool clip = (i & 1) != 0 && !problem_.is_subtracted;
+      const SearchSpace& space = spaces_[clip ? 1 : 0];
+      Rng rng(run_.seed, stream(round, static_cast<int>(i)));
+      TermGrower grower(*columns_, *combinability_);
+      ConstructOptions o;
+      o.beam_width = options_.beam_width;
+      o.noise = i < 2 ? 0.15 : 0.4;
+      std::optional<DecisionList> list = construct_list(space, o, grower, rng);
+      if (list) {
+        improve_list(space, walk_options(*list, 2), *list, grower, rng, run_);
+        found[i] = Solution{std::move(*list), clip};
+      }
+      grown[i] = grower.terms_grown();
+    });
+    for (const long g : grown) answer_.terms_grown += g;
+    std::vector<Solution> solutions;
+    for (auto& f : found) {
+      if (f) solutions.push_back(std::move(*f));
+    }
+    if (solutions.empty()) return false;
+    std::stable_sort(solutions.begin(), solutions.end(),
+                     [](const Solution& a, const Solution& b) { return a.cost() < b.cost(); });
+    refine(round, std::move(solutions), 1);
+    return true;
+  }
+
+  /// Walks from the best solutions in parallel and keeps the cheapest result.
+  void refine(int round, std::vector<Solution> from, int share) {
+    constexpr std::size_t kWalks = 2;
+    std::vector<Solution> walks(kWalks);
+    for (std::size_t i = 0; i < kWalks; ++i) walks[i] = from[std::min(i, from.size() - 1)];
+    std::vector<long> grown(kWalks, 0);
+    for_each_index(run_.threads, kWalks, [&](std::size_t i) {
+      Rng rng(run_.seed, stream(round, 100 + static_cast<int>(i)));
+      TermGrower grower(*columns_, *combinability_);
+      improve_list(spaces_[walks[i].clip ? 1 : 0], walk_options(walks[i].list, share),
+                   walks[i].list, grower, rng, run_);
+      grown[i] = grower.terms_grown();
+    });
+    for (const long g : grown) answer_.terms_grown += g;
+    current_ = *std::min_element(walks.begin(), walks.end(),
+                                 [](const auto& a, const auto& b) { return a.cost() < b.cost(); });
+  }
+
+  const SearchSpace& space_of(const Solution& s) const { return spaces_[s.is_clipped() ? 1 : 0]; }
+
+  bool repair(int round) {
+    for (TermPtr& item : current_.list.items) item = with_cover(*columns_, *item);
+    Rng rng(run_.seed, stream(round, 200));
+    TermGrower grower(*columns_, *combinability_);
+    if (!repair_list(space_of(current_), current_.list, grower, rng)) return false;
+    answer_.terms_grown += grower.terms_grown();
+    refine(round, {current_}, 2);
+    return true;
+  }
+
+  /// Verifies the round's list; true when another round is worthwhile.
+  bool check_round(int round) {
+    answer_.rounds = round + 1;
+    const ListSolid solid(current_.list, surfaces_.halfspaces, space_.frame, current_.is_clipped());
+    Verification v = verify_list(
+        space_, current_.list, [&solid](const Vec3& p) { return solid.contains(p); }, {},
+        stream(round, 0), run_);
+    const bool is_better =
+        !best_ || v.agreement > best_agreement_ + kSameAgreement ||
+        (v.agreement > best_agreement_ - kSameAgreement && current_.cost() < best_->cost());
+    if (is_better) {
+      best_ = current_;
+      best_agreement_ = v.agreement;
+    }
+    if (round == options_.rounds) return false;
+    if (static_cast<int>(v.counterexamples.size()) < kFewCounterexamples) return false;
+    append_points(table_, surfaces_.halfspaces, v.counterexamples, run_);
+    densify(v.counterexamples, round);
+    cells_ = find_cells(table_);
+    separate();
+    return true;
+  }
+
+  void densify(const std::vector<LabelledPoint>& around, int round) {
+    const std::size_t count = std::min(around.size(), kMaxDensified);
+    const auto nearby = [&](std::size_t i, Rng& rng, const auto& emit) {
+      for (int k = 0; k < kDensifyCopies; ++k) {
+        Vec3 p = around[i].position;
+        for (double& c : p) c += (rng.uniform() - 0.5) * kDensifyReach * space_.diagonal;
+        emit(p);
+      }
+    };
+    append_points(table_, surfaces_.halfspaces,
+                  collect_points(space_, count, stream(round, 300), run_, nearby), run_);
+  }
+
+  Result<TreeAnswer> finish() {
+    rebuild_columns();
+    Solution solution = *best_;
+    for (TermPtr& item : solution.list.items) item = with_cover(*columns_, *item);
+    relax_list(space_of(solution), surfaces_, solution.list);
+    LoweringOptions lowering;
+    lowering.is_tool = problem_.is_subtracted;
+    const Mesh& mesh = problem_.query->mesh();
+    answer_.tree = lower_list(solution.list, surfaces_, mesh, triangles_, space_.frame, lowering);
+    if (solution.is_clipped() && !problem_.is_subtracted && reaches_outside(answer_.tree)) {
+      lowering.clip = true;
+      answer_.tree = lower_list(solution.list, surfaces_, mesh, triangles_, space_.frame, lowering);
+    }
+    answer_.halfspaces = static_cast<int>(surfaces_.halfspaces.size());
+    answer_.agreement = measure_agreement(
+        space_, [this](const Vec3& p) { return answer_.tree.contains(p); }, 10000, stream(999, 0),
+        run_);
+    if (run_.is_cancelled()) return RunContext::cancelled();
+    return std::move(answer_);
+  }
+
+  /// Whether the tree holds points outside the frame's box that the labels do not.
+  bool reaches_outside(const Tree& tree) const {
+    constexpr int kProbes = 20000;
+    Rng rng(run_.seed, stream(998, 0));
+    for (int i = 0; i < kProbes; ++i) {
+      const Vec3 p = sample_around_box(space_, rng);
+      if (tree.contains(p) && label_(p) == Label::Outside) return true;
+    }
+    return false;
+  }
+
+  const TreeProblem& problem_;
+  const TreeSearchOptions& options_;
+  const RunContext& run_;
+  Labeller label_;
+  SurfaceSet surfaces_;
+  std::vector<int> triangles_;
+  SampleSpace space_;
+  SampleTable table_;
+  Cells cells_;
+  std::optional<ColumnTable> columns_;
+  std::optional<Combinability> combinability_;
+  std::array<SearchSpace, 2> spaces_;  ///< everywhere; inside the frame's box only
+  Solution current_;
+  std::optional<Solution> best_;
+  double best_agreement_ = 0;
+  TreeAnswer answer_;
+};
+
+constexpr std::array<OptionField<TreeSearchOptions>, 5> kOptions{{
+    {"volume-points", &TreeSearchOptions::volume_points, 1000, 10'000'000,
+     "uniform sample points of the first round"},
+    {"starts", &TreeSearchOptions::starts, 1, 64, "independent constructions that are compared"},
+    {"beam-width", &TreeSearchOptions::beam_width, 1, 64, "states kept by each construction"},
+    {"neighbourhood-steps", &TreeSearchOptions::neighbourhood_steps, 0, 1'000'000,
+     "steps without improvement after which the neighbourhood search ends"},
+    {"rounds", &TreeSearchOptions::rounds, 0, 32, "counterexample rounds at most"},
+}};
+
+}  // namespace
+
+template <>
+std::span<const OptionField<TreeSearchOptions>> option_table<TreeSearchOptions>() {
+  return kOptions;
+}
+
+Result<TreeAnswer> find_tree(const TreeProblem& problem, const TreeSearchOptions& options,
+                             const RunContext& run) {
+  return TreeSearch(problem, options, run).find();
+}
+
+}  // namespace hewn
