@@ -1,5 +1,6 @@
 #include "core/segment/segment.h"
 
+#include "core/segment/curvature/curvature.h"
 #include "core/segment/facet_method.h"
 
 namespace hewn {
@@ -38,6 +39,9 @@ Result<Segmentation> segment(const Mesh& mesh, const SegmentOptions& options,
   }
   if (options.method == static_cast<int>(SegmentMethod::Facets)) {
     return segment_by_facets(mesh, options, run);
+  }
+  if (options.method == static_cast<int>(SegmentMethod::Curvature)) {
+    return segment_by_curvature(mesh, options, run);
   }
   return Error{ErrorCode::InvalidArgument, "unknown segmentation method; use facets or curvature"};
 }

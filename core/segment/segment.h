@@ -5,6 +5,7 @@
 #include "core/base/run_context.h"
 #include "core/fit/face_groups.h"
 #include "core/mesh/mesh.h"
+#include "core/segment/curvature/curvature_options.h"
 
 namespace hewn {
 
@@ -24,6 +25,9 @@ struct SegmentOptions {
   double loose_factor = 5;          ///< second try of inexact designs: times vertex_tolerance
   int seeds = 8;                    ///< tried for each group
   int max_failures = 12;            ///< rounds of seeds in vain before a component is given up
+
+  /// Of the other method; its fields have an option table of their own.
+  CurvatureOptions curvature;
 };
 
 template <>
