@@ -12,6 +12,7 @@ namespace {
 constexpr std::uint64_t kSeedStream = 0x6375727661;
 /// Rounds of extending over neighbours and refitting.
 constexpr int kMaxExtensions = 4;
+constexpr std::size_t kCancelStride = 4096;
 /// Differences in curvature below this share of the seed's are noise of the estimate; the angle to
 /// the seed's normal then decides, which makes the region grow around and not along a cylinder.
 constexpr double kCurvatureNoise = 1e-2;
@@ -23,8 +24,9 @@ constexpr double kRoughRms = 1e-5;
 class Grower {
  public:
   Grower(const CurvatureStages& stages, const std::vector<bool>& is_candidate,
-         const CurvatureOptions& options)
+         const CurvatureOptions& options, const RunContext& run)
       : stages_(stages),
+        run_(run),
         mesh_(stages.mesh),
         is_candidate_(is_candidate),
         limits_(fit_limits(stages.mesh, options)),
@@ -126,6 +128,7 @@ class Grower {
       if (is_on(t)) region.push_back(t);
     }
     for (std::size_t i = 0; i < region.size(); ++i) {
+      if (i % kCancelStride == 0 && run_.is_cancelled()) break;
       for_each_neighbor(region[i], [&](int other) {
         stamp_[other] = mark_;
         if (is_on(other)) region.push_back(other);
@@ -146,6 +149,7 @@ class Grower {
   }
 
   const CurvatureStages& stages_;
+  const RunContext& run_;
   const Mesh& mesh_;
   const std::vector<bool>& is_candidate_;
   FitLimits limits_;
@@ -166,7 +170,7 @@ Result<std::vector<FittedRegion>> grow_fitted_regions(const CurvatureStages& sta
   }
   Rng rng(run.seed, kSeedStream);
   rng.shuffle(seeds);
-  Grower grower(stages, is_candidate, options);
+  Grower grower(stages, is_candidate, options, run);
   std::vector<bool> is_processed(is_candidate.size(), false);
   std::vector<FittedRegion> regions;
   std::vector<int> tried;
@@ -180,6 +184,7 @@ Result<std::vector<FittedRegion>> grow_fitted_regions(const CurvatureStages& sta
     for (const int t : region.triangles.empty() ? tried : region.triangles) is_processed[t] = true;
     if (!region.triangles.empty()) regions.push_back(std::move(region));
   }
+  if (run.is_cancelled()) return RunContext::cancelled();
   return regions;
 }
 
