@@ -39,13 +39,15 @@ void select_points(FitItem& item, double exact) {
 
 }  // namespace
 
-std::vector<FitItem> collect_items(const Mesh& mesh, const Segmentation& segmentation) {
+std::vector<FitItem> collect_items(const Mesh& mesh, const Segmentation& segmentation,
+                                   bool keep_free_form) {
   const double exact = std::max(kRounding * mesh.diagonal(), 5 * segmentation.noise);
   std::vector<int> stamp(mesh.vertices.size(), -1);
   std::vector<FitItem> items;
   for (int g = 0; g < static_cast<int>(segmentation.groups.size()); ++g) {
     const FaceGroup& group = segmentation.groups[g];
-    if (!group.is_fitted || group.area < kMinArea * mesh.total_area) continue;
+    if (!group.is_fitted && !keep_free_form) continue;
+    if (group.area < kMinArea * mesh.total_area) continue;
     FitItem item;
     item.group = g;
     item.surface = group.surface;

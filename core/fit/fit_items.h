@@ -22,7 +22,9 @@ struct FitItem {
   FitDeviation deviation;
 };
 
-/// One item for each fitted group that is not negligible, largest area first.
-std::vector<FitItem> collect_items(const Mesh& mesh, const Segmentation& segmentation);
+/// One item for each group that is not negligible, largest area first; groups that are not fitted
+/// only with `keep_free_form`.
+std::vector<FitItem> collect_items(const Mesh& mesh, const Segmentation& segmentation,
+                                   bool keep_free_form);
 
 }  // namespace hewn

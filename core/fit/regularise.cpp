@@ -91,8 +91,15 @@ class SetBuilder {
     set_.directions = std::move(directions);
     for (std::size_t k = 0; k < set_.halfspaces.size(); ++k) {
       measure(set_.halfspaces[k], groups_[k]);
-      set_.halfspaces[k].facets =
-          detect_tessellation(set_.halfspaces[k].surface, groups_[k], mesh_, segmentation_);
+      Halfspace& h = set_.halfspaces[k];
+      if (h.surface.kind == SurfaceKind::Sphere) {
+        const SphereTessellation found =
+            detect_sphere_tessellation(h.surface, groups_[k], mesh_, segmentation_);
+        h.surface.axis = found.axis;
+        h.facets = found.facets;
+      } else {
+        h.facets = detect_tessellation(h.surface, groups_[k], mesh_, segmentation_);
+      }
     }
     double explained = 0;
     for (const Halfspace& h : set_.halfspaces) explained += h.area;
@@ -141,6 +148,8 @@ std::span<const OptionField<RegulariseOptions>> option_table<RegulariseOptions>(
       {"round-deviations", &O::round_deviations, 0, 20,
        "standard deviations of the fit within which values become round"},
       {"round-values", &O::round_values, 0, 1, "snap radii, positions and angles to round values"},
+      {"keep-free-form", &O::keep_free_form, 0, 1,
+       "use the small planes of free-form patches like other surfaces"},
   };
   return kFields;
 }
@@ -149,7 +158,7 @@ Result<SurfaceSet> regularise(const Mesh& mesh, const Segmentation& segmentation
                               const RegulariseOptions& options, const RunContext& run) {
   run.report("regularise", 0);
   const double diagonal = mesh.diagonal();
-  std::vector<FitItem> items = collect_items(mesh, segmentation);
+  std::vector<FitItem> items = collect_items(mesh, segmentation, options.keep_free_form);
   if (run.is_cancelled()) return RunContext::cancelled();
   for (FitItem& item : items) replace_steep_cone(item);
   std::vector<Vec3> directions = assign_directions(items, diagonal, options);

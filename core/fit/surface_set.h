@@ -44,6 +44,8 @@ struct RegulariseOptions {
   /// Values snap to round ones within this many standard deviations of the fit.
   double round_deviations = 4;
   bool round_values = true;
+  /// Whether the planes of free-form patches (groups that are not fitted) become halfspaces, too.
+  bool keep_free_form = true;
 };
 
 template <>

@@ -100,8 +100,6 @@ Facets detect_tessellation(const Surface& surface, const std::vector<int>& group
     if (std::hypot(x, y) > 1e-6) azimuths.push_back(std::atan2(y, x));
     if (is_tube) {
       tube_angles.push_back(std::atan2(height, outward.norm() - surface.major_radius));
-    } else if (surface.kind == SurfaceKind::Sphere) {
-      tube_angles.push_back(std::atan2(height, outward.norm()));
     }
   }
   Facets result;
@@ -111,11 +109,53 @@ Facets detect_tessellation(const Surface& surface, const std::vector<int>& group
   result.phase_rad = vertex_phase(around);
   const Period tube = find_period(tube_angles);
   if (tube.sides > 0) {
-    // A sphere's rings are counted from pole to pole, half the way around.
-    result.tube_sides = is_tube ? tube.sides : tube.sides / 2;
+    result.tube_sides = tube.sides;
     result.tube_phase_rad = vertex_phase(tube);
   }
   return result;
+}
+
+SphereTessellation detect_sphere_tessellation(const Surface& sphere, const std::vector<int>& groups,
+                                              const Mesh& mesh, const Segmentation& segmentation) {
+  constexpr double kOnSphere = 2e-5;  // share of the diagonal
+  constexpr double kMinShare = 0.85;  // of the vertices that must be explained
+  constexpr double kBetter = 1.05;    // against a tessellation with fewer sides
+  constexpr double kLatitude = 0.08 * kPi / 180;
+  constexpr double kLongitude = 0.1 * kPi / 180;
+  constexpr int kMaxSphereSides = 150;
+  std::vector<Vec3> directions;
+  for (const int g : groups) {
+    for (const int t : segmentation.groups[g].triangles) {
+      for (const int v : mesh.triangles[t]) {
+        const double d = sphere.signed_distance(mesh.vertices[v]);
+        if (std::abs(d) > kOnSphere * mesh.diagonal()) continue;
+        directions.push_back((mesh.vertices[v] - sphere.point) / sphere.radius);
+      }
+    }
+  }
+  SphereTessellation best;
+  if (directions.size() < 24) return best;
+  double most = kMinShare * static_cast<double>(directions.size());
+  for (int axis = 2; axis >= 0; --axis) {
+    for (int n = 8; n <= kMaxSphereSides; ++n) {
+      const int rings = (n + 1) / 2;
+      int hits = 0;
+      for (const Vec3& d : directions) {
+        const double polar = std::acos(std::clamp(d[axis], -1.0, 1.0));
+        const double ring = polar * rings / kPi - 0.5;
+        const double side = std::atan2(d[(axis + 2) % 3], d[(axis + 1) % 3]) * n / (2 * kPi);
+        const double off_ring = std::abs(ring - std::round(ring)) * kPi / rings;
+        const double off_side = std::abs(side - std::round(side)) * 2 * kPi / n * std::sin(polar);
+        hits += off_ring < kLatitude && off_side < kLongitude;
+      }
+      if (hits <= most) continue;
+      most = hits * kBetter;
+      best.axis = Vec3::Unit(axis);
+      best.facets.sides = n;
+      best.facets.tube_sides = rings;
+    }
+  }
+  return best;
 }
 
 }  // namespace hewn

@@ -14,4 +14,14 @@ namespace hewn {
 Facets detect_tessellation(const Surface& surface, const std::vector<int>& groups, const Mesh& mesh,
                            const Segmentation& segmentation);
 
+/// The coordinate axis about which a sphere is cut into rings and sides as OpenSCAD does it (rings
+/// at half steps from the poles, a vertex at azimuth zero), with their numbers. `sides` is 0 and
+/// the axis z when no axis fits.
+struct SphereTessellation {
+  Vec3 axis = Vec3::UnitZ();
+  Facets facets;
+};
+SphereTessellation detect_sphere_tessellation(const Surface& sphere, const std::vector<int>& groups,
+                                              const Mesh& mesh, const Segmentation& segmentation);
+
 }  // namespace hewn

@@ -66,8 +66,8 @@ FaceGroup measured_group(const Mesh& mesh, const FacetGraph& graph, const GrownG
   return group;
 }
 
-Segmentation assemble(const Mesh& mesh, FacetGraph graph, const std::vector<GrownGroup>& groups,
-                      const SurfaceTolerance& tolerance) {
+Segmentation assemble(const Mesh& mesh, const FacetGraph& graph,
+                      const std::vector<GrownGroup>& groups, const SurfaceTolerance& tolerance) {
   Segmentation result;
   result.noise = tolerance.noise;
   result.group_of_triangle.assign(mesh.triangles.size(), -1);
@@ -80,8 +80,8 @@ Segmentation assemble(const Mesh& mesh, FacetGraph graph, const std::vector<Grow
     }
     result.groups.push_back(measured_group(mesh, graph, grown, fitter));
   }
-  result.facets = std::move(graph.facets);
-  result.facet_of_triangle = std::move(graph.facet_of_triangle);
+  result.facets = graph.facets;
+  result.facet_of_triangle = graph.facet_of_triangle;
   return result;
 }
 
@@ -132,6 +132,41 @@ Result<Attempt> attempt(const Mesh& mesh, const std::vector<std::array<int, 3>>&
   return a;
 }
 
+/// Marks small planes that join each other smoothly in numbers as unexplained: a free-form patch.
+void mark_free_form(const Attempt& a, double smooth_rad, double total_area, Segmentation& result) {
+  constexpr double kFlat = 0.01;
+  constexpr double kSmallArea = 2e-3;  // of the mesh's area
+  constexpr std::size_t kManyPlanes = 6;
+  std::vector<std::vector<int>> joined(a.groups.size());
+  const auto is_small_plane = [&](int g) {
+    return g >= 0 && a.groups[g].surface.kind == SurfaceKind::Plane &&
+           result.groups[g].area < kSmallArea * total_area;
+  };
+  for (int f = 0; f < a.graph.size(); ++f) {
+    const int g = a.group_of[f];
+    if (!is_small_plane(g)) continue;
+    for (const FacetNeighbor& n : a.graph.neighbors(f)) {
+      const int other = a.group_of[n.facet];
+      if (other == g || !is_small_plane(other)) continue;
+      if (n.angle_rad > kFlat && n.angle_rad < smooth_rad) joined[g].push_back(other);
+    }
+  }
+  std::vector<bool> is_seen(a.groups.size(), false);
+  for (int start = 0; start < static_cast<int>(a.groups.size()); ++start) {
+    if (is_seen[start] || joined[start].empty()) continue;
+    std::vector<int> patch = {start};
+    is_seen[start] = true;
+    for (std::size_t i = 0; i < patch.size(); ++i) {
+      for (const int g : joined[patch[i]]) {
+        if (!is_seen[g]) patch.push_back(g);
+        is_seen[g] = true;
+      }
+    }
+    if (patch.size() < kManyPlanes) continue;
+    for (const int g : patch) result.groups[g].is_fitted = false;
+  }
+}
+
 /// Facets of planes that join another plane smoothly: pieces of a surface that was not found.
 int count_pieces(const Attempt& a, double smooth_rad) {
   constexpr double kFlat = 0.01;
@@ -170,7 +205,9 @@ Result<Segmentation> segment_by_facets(const Mesh& mesh, const SegmentOptions& o
     if (static_cast<double>(loose->groups.size()) < worth) best = std::move(loose);
   }
   run.report("segment", 1);
-  return assemble(mesh, std::move(best->graph), best->groups, best->tolerance);
+  Segmentation result = assemble(mesh, best->graph, best->groups, best->tolerance);
+  mark_free_form(*best, options.smooth_angle_deg * kPi / 180, mesh.total_area, result);
+  return result;
 }
 
 }  // namespace hewn

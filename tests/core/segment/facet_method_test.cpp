@@ -1,0 +1,182 @@
+#include "core/segment/facet_method.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "core/base/rng.h"
+#include "core/segment/segment.h"
+#include "tests/support/solids.h"
+
+namespace hewn {
+namespace {
+
+Segmentation segmented(const Mesh& mesh) {
+  const RunContext run;
+  Result<Segmentation> result = segment(mesh, {}, run);
+  REQUIRE(result.has_value());
+  return std::move(*result);
+}
+
+std::vector<FaceGroup> groups_of_kind(const Segmentation& s, SurfaceKind kind) {
+  std::vector<FaceGroup> found;
+  for (const FaceGroup& g : s.groups) {
+    if (g.surface.kind == kind) found.push_back(g);
+  }
+  return found;
+}
+
+Mesh jittered(const Mesh& mesh, double amount) {
+  Rng rng(11);
+  std::vector<Vec3> vertices = mesh.vertices;
+  for (Vec3& p : vertices) {
+    for (double& c : p) c += rng.uniform(-amount, amount);
+  }
+  return make_mesh(vertices, mesh.triangles);
+}
+
+/// Every triangle lies in exactly one group, and the groups' values are consistent.
+void check_partition(const Mesh& mesh, const Segmentation& s) {
+  std::vector<int> owner(mesh.triangles.size(), -1);
+  double area = 0;
+  for (std::size_t g = 0; g < s.groups.size(); ++g) {
+    CHECK(std::is_sorted(s.groups[g].triangles.begin(), s.groups[g].triangles.end()));
+    area += s.groups[g].area;
+    for (const int t : s.groups[g].triangles) {
+      CHECK(owner[t] == -1);
+      owner[t] = static_cast<int>(g);
+    }
+  }
+  CHECK(owner == s.group_of_triangle);
+  CHECK(area == doctest::Approx(mesh.total_area));
+}
+
+TEST_CASE("tessellated solids are taken apart into the surfaces they were made from") {
+  const Affine3 oblique = solids::oblique_transform();
+  for (const double jitter : {0.0, 1e-5}) {
+    CAPTURE(jitter);
+    const auto prepare = [&](const Mesh& solid) {
+      const Mesh mesh = solids::transformed(solid, oblique);
+      return jittered(mesh, jitter * mesh.diagonal());
+    };
+    const double slack = 1e-6 + 10 * jitter;
+
+    const Mesh cylinder = prepare(solids::cylinder(0.8, 2, 36));
+    const Segmentation c = segmented(cylinder);
+    check_partition(cylinder, c);
+    REQUIRE(c.groups.size() == 3);
+    REQUIRE(groups_of_kind(c, SurfaceKind::Cylinder).size() == 1);
+    CHECK(std::abs(groups_of_kind(c, SurfaceKind::Cylinder)[0].surface.radius - 0.8) < slack);
+
+    const Mesh cone = prepare(solids::cone(1, 0.4, 1.5, 40));
+    const Segmentation k = segmented(cone);
+    check_partition(cone, k);
+    REQUIRE(groups_of_kind(k, SurfaceKind::Cone).size() == 1);
+    CHECK(std::abs(std::tan(groups_of_kind(k, SurfaceKind::Cone)[0].surface.half_angle_rad) - 0.4) <
+          slack);
+
+    const Mesh sphere = prepare(solids::sphere(1.2, 30, 15));
+    const Segmentation s = segmented(sphere);
+    check_partition(sphere, s);
+    REQUIRE(groups_of_kind(s, SurfaceKind::Sphere).size() == 1);
+    CHECK(std::abs(groups_of_kind(s, SurfaceKind::Sphere)[0].surface.radius - 1.2) < slack);
+
+    const Mesh torus = prepare(solids::torus(2, 0.5, 48, 24));
+    const Segmentation t = segmented(torus);
+    check_partition(torus, t);
+    REQUIRE(groups_of_kind(t, SurfaceKind::Torus).size() == 1);
+    const Surface tube = groups_of_kind(t, SurfaceKind::Torus)[0].surface;
+    CHECK(std::abs(tube.radius - 0.5) < slack);
+    CHECK(std::abs(tube.major_radius - 2) < slack);
+  }
+}
+
+TEST_CASE("a hole is a cylinder seen from inside, a boss one seen from outside") {
+  const Segmentation hole = segmented(solids::plate_with_hole(Vec3(4, 4, 1), 1, 32));
+  REQUIRE(groups_of_kind(hole, SurfaceKind::Cylinder).size() == 1);
+  CHECK(groups_of_kind(hole, SurfaceKind::Cylinder)[0].side == -1);
+  CHECK(groups_of_kind(hole, SurfaceKind::Plane).size() == 6);
+  const Segmentation boss = segmented(solids::cylinder(1, 2, 32));
+  REQUIRE(groups_of_kind(boss, SurfaceKind::Cylinder).size() == 1);
+  CHECK(groups_of_kind(boss, SurfaceKind::Cylinder)[0].side == 1);
+}
+
+TEST_CASE("a fillet is told from the planes that it touches") {
+  const Segmentation s = segmented(solids::block_with_fillet(Vec3(3, 2, 1), 0.5, 8));
+  const auto fillets = groups_of_kind(s, SurfaceKind::Cylinder);
+  REQUIRE(fillets.size() == 1);
+  CHECK(fillets[0].surface.radius == doctest::Approx(0.5).epsilon(1e-6));
+  CHECK(fillets[0].triangles.size() == 16);
+  CHECK(groups_of_kind(s, SurfaceKind::Plane).size() == 6);
+}
+
+TEST_CASE("cutting flat facets into small triangles changes nothing") {
+  const Mesh mesh =
+      solids::transformed(solids::cylinder(0.8, 2, 36, 12), solids::oblique_transform());
+  const Segmentation s = segmented(mesh);
+  REQUIRE(groups_of_kind(s, SurfaceKind::Cylinder).size() == 1);
+  CHECK(s.groups.size() == 3);
+  CHECK(groups_of_kind(s, SurfaceKind::Cylinder)[0].surface.radius ==
+        doctest::Approx(0.8).epsilon(1e-6));
+}
+
+TEST_CASE("size and place of a part do not matter") {
+  for (const double scale : {1e-3, 1e3}) {
+    Affine3 move = Affine3::Identity();
+    move.translate(Vec3(100, 70, -90) * scale).scale(scale);
+    const Segmentation s = segmented(solids::transformed(solids::cylinder(0.8, 2, 36), move));
+    REQUIRE(groups_of_kind(s, SurfaceKind::Cylinder).size() == 1);
+    CHECK(groups_of_kind(s, SurfaceKind::Cylinder)[0].surface.radius / scale ==
+          doctest::Approx(0.8).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("two runs agree to the bit") {
+  const Mesh mesh = solids::capsule(0.7, 2, 32, 10);
+  const Segmentation a = segmented(mesh);
+  const Segmentation b = segmented(mesh);
+  CHECK(a.group_of_triangle == b.group_of_triangle);
+  REQUIRE(a.groups.size() == b.groups.size());
+  for (std::size_t g = 0; g < a.groups.size(); ++g) {
+    CHECK(a.groups[g].surface.radius == b.groups[g].surface.radius);
+    CHECK((a.groups[g].surface.axis.array() == b.groups[g].surface.axis.array()).all());
+  }
+}
+
+TEST_CASE("nothing to segment, a wish to stop and unknown methods are errors that say so") {
+  const RunContext run;
+  const auto empty = segment(make_mesh({}, {}), {}, run);
+  REQUIRE_FALSE(empty.has_value());
+  CHECK(empty.error().code == ErrorCode::BadMesh);
+
+  RunContext stopped;
+  stopped.cancel->cancel();
+  const auto cancelled = segment(solids::sphere(1, 30, 15), {}, stopped);
+  REQUIRE_FALSE(cancelled.has_value());
+  CHECK(cancelled.error().code == ErrorCode::Cancelled);
+
+  SegmentOptions options;
+  options.method = 17;
+  const auto unknown = segment(solids::sphere(1, 30, 15), options, run);
+  REQUIRE_FALSE(unknown.has_value());
+  CHECK(unknown.error().code == ErrorCode::InvalidArgument);
+}
+
+TEST_CASE("the defaults of the segmentation options lie within their ranges") {
+  const auto defaults = std::make_unique<SegmentOptions>();
+  for (const OptionField<SegmentOptions>& field : option_table<SegmentOptions>()) {
+    CAPTURE(field.name);
+    CHECK_FALSE(field.help.empty());
+    std::visit(
+        [&](auto member) {
+          const auto value = static_cast<double>((*defaults).*member);
+          CHECK(value >= field.min);
+          CHECK(value <= field.max);
+        },
+        field.member);
+  }
+}
+
+}  // namespace
+}  // namespace hewn
