@@ -39,16 +39,16 @@ double rounding_of(const Mesh& mesh) {
       is_single = is_single && static_cast<double>(static_cast<float>(c)) == c;
     }
   }
+  // The small coordinates of a fixed-point file have fewer digits: lift all to the same length.
+  const int lift_exponent = static_cast<int>(std::floor(std::log10(largest))) + 2;
+  const double lift = std::pow(10.0, lift_exponent);
   const std::size_t step = std::max<std::size_t>(1, mesh.vertices.size() / 2000);
   for (std::size_t i = 0; i < mesh.vertices.size(); i += step) {
     for (const double c : mesh.vertices[i]) {
-      // The small coordinates of a fixed-point file have fewer digits: compare in the largest's.
-      const double lift = std::copysign(std::pow(10.0, std::ceil(std::log10(largest)) + 1), c);
-      digits = std::max(digits, significant_digits(c + lift) - 1);
+      digits = std::max(digits, significant_digits(std::abs(c) + lift));
     }
   }
-  const double decimal =
-      digits < 12 ? 0.5 * std::pow(10.0, std::ceil(std::log10(largest)) - digits) : 0;
+  const double decimal = digits < 18 ? 0.5 * std::pow(10.0, lift_exponent + 1 - digits) : 0;
   // Few digits are a designer's round dimensions, not rounding.
   if (decimal > 0 && decimal <= 1e-5 * diagonal) return decimal;
   const double single = largest * 0x1p-24;

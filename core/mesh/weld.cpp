@@ -133,31 +133,47 @@ int partner_across(const std::vector<EdgeSide>& sides, const std::vector<Triangl
 
 constexpr Triangle kGone = {-1, -1, -1};
 
-/// Splits the partner of flat triangle `t` at the flat triangle's middle corner; `t` becomes one
-/// half. The surface stays closed and moves by less than the tolerance.
-bool split_partner(std::vector<Triangle>& triangles, int t, int k, int partner) {
-  const int middle = triangles[t][k];
-  const int a = triangles[t][(k + 1) % 3];
-  const int b = triangles[t][(k + 2) % 3];
-  const Triangle old = triangles[partner];
+/// The two triangles that replace a flat one and its partner.
+struct Split {
+  Triangle first = kGone, second = kGone;
+};
+
+/// The partner split at the flat triangle's middle corner `k`. The surface stays closed and moves
+/// by less than the tolerance. Both are `kGone` when the two lie back to back.
+Split split_partner(const Triangle& flat, int k, const Triangle& partner) {
+  const int middle = flat[k];
   for (int j = 0; j < 3; ++j) {
-    const int from = old[j];
-    const int to = old[(j + 1) % 3];
-    if (std::min(from, to) != std::min(a, b) || std::max(from, to) != std::max(a, b)) continue;
-    const int apex = old[(j + 2) % 3];
-    if (apex == middle) {  // the same triangle twice, back to back
-      triangles[t] = triangles[partner] = kGone;
-      return true;
-    }
-    triangles[partner] = {from, middle, apex};
-    triangles[t] = {middle, to, apex};
-    return true;
+    const int apex = partner[(j + 2) % 3];
+    if (apex == flat[(k + 1) % 3] || apex == flat[(k + 2) % 3]) continue;
+    if (apex == middle) break;  // the same triangle twice, back to back
+    return {{partner[j], middle, apex}, {middle, partner[(j + 1) % 3], apex}};
   }
-  return false;
+  return {};
 }
 
-/// One round over all triangles; each may take part once. Returns how many flat ones went.
-int split_round(Soup& soup, double tolerance) {
+struct Flatness {
+  int flat = 0;       ///< how many of the two are flat
+  double length = 0;  ///< sum of their longest sides
+};
+
+Flatness flatness_of(const Soup& soup, const Triangle& s, const Triangle& t, double tolerance) {
+  Flatness sum;
+  for (const Triangle& triangle : {s, t}) {
+    if (triangle == kGone) continue;
+    sum.flat += flat_corner(soup, triangle, tolerance) >= 0 ? 1 : 0;
+    double longest = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 side = soup.vertices[triangle[(k + 1) % 3]] - soup.vertices[triangle[k]];
+      longest = std::max(longest, side.norm());
+    }
+    sum.length += longest;
+  }
+  return sum;
+}
+
+/// One round over all triangles; each may take part once. Returns how many splits were made, and
+/// adds the flat triangles that they did away with to `removed`.
+int split_round(Soup& soup, double tolerance, int& removed) {
   std::vector<std::pair<int, int>> flat;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
     const int k = flat_corner(soup, soup.triangles[t], tolerance);
@@ -166,16 +182,43 @@ int split_round(Soup& soup, double tolerance) {
   if (flat.empty()) return 0;
   const std::vector<EdgeSide> sides = sorted_sides(soup.triangles);
   std::vector<char> is_touched(soup.triangles.size(), 0);
-  int resolved = 0;
+  int splits = 0;
   for (const auto& [t, k] : flat) {
     const int partner = partner_across(sides, soup.triangles, t, k);
     if (partner < 0 || is_touched[t] || is_touched[partner]) continue;
-    if (!split_partner(soup.triangles, t, k, partner)) continue;
+    Triangle& own = soup.triangles[t];
+    Triangle& other = soup.triangles[partner];
+    const Split split = split_partner(own, k, other);
+    // Fewer flat ones, or as many with shorter sides: so rows of them cannot pass their middle
+    // corners back and forth for ever.
+    const Flatness before = flatness_of(soup, own, other, tolerance);
+    const Flatness after = flatness_of(soup, split.first, split.second, tolerance);
+    const bool is_shorter = after.flat == before.flat && after.length < 0.999 * before.length;
+    if (after.flat >= before.flat && !is_shorter) continue;
+    own = split.first;
+    other = split.second;
     is_touched[t] = is_touched[partner] = 1;
-    ++resolved;
+    removed += before.flat - after.flat;
+    ++splits;
   }
   std::erase(soup.triangles, kGone);
-  return resolved;
+  return splits;
+}
+
+/// Removes flat triangles that have no single neighbour across their longest side: they close
+/// nothing that is not open anyway.
+int drop_loose_flat(Soup& soup, double tolerance) {
+  const std::vector<EdgeSide> sides = sorted_sides(soup.triangles);
+  std::vector<int> loose;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    const int k = flat_corner(soup, soup.triangles[t], tolerance);
+    if (k >= 0 && partner_across(sides, soup.triangles, static_cast<int>(t), k) < 0) {
+      loose.push_back(static_cast<int>(t));
+    }
+  }
+  for (const int t : loose) soup.triangles[t] = kGone;
+  std::erase(soup.triangles, kGone);
+  return static_cast<int>(loose.size());
 }
 
 }  // namespace
@@ -201,17 +244,12 @@ int weld_vertices(Soup& soup, double tolerance) {
 
 int remove_zero_area(Soup& soup, double tolerance) {
   int removed = static_cast<int>(std::erase_if(soup.triangles, has_repeated_corner));
-  // A split may leave another flat triangle (several vertices in one row): a few rounds settle it.
-  constexpr int kRounds = 12;
+  // Rows of several vertices take several rounds: they are peeled from outside.
+  constexpr int kRounds = 100;
   for (int round = 0; round < kRounds; ++round) {
-    const int resolved = split_round(soup, tolerance);
-    removed += resolved;
-    if (resolved == 0) break;
+    if (split_round(soup, tolerance, removed) == 0) break;
   }
-  // What is left has no single neighbour to split. Only the truly flat ones go.
-  removed += static_cast<int>(std::erase_if(soup.triangles, [&](const Triangle& t) {
-    return flat_corner(soup, t, tolerance * 1e-3) >= 0;
-  }));
+  removed += drop_loose_flat(soup, tolerance * 1e-3);
   compact(soup);
   return removed;
 }
