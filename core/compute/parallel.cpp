@@ -1,6 +1,7 @@
 #include "core/compute/parallel.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -25,7 +26,8 @@ void for_each_chunk(int threads, std::size_t n, std::size_t grain,
   if (threads <= 0) {
     run();
   } else {
-    tbb::task_arena arena(threads);
+    // More workers than cores only make the library print a warning.
+    tbb::task_arena arena(std::min(threads, tbb::info::default_concurrency()));
     arena.execute(run);
   }
 }

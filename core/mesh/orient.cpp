@@ -141,7 +141,6 @@ Shell make_shell(const Soup& soup, const Patches& patches, int patch) {
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
     if (patches.patch_of[t] == patch) own.push_back(soup.triangles[t]);
   }
-  std::vector<int> renamed;
   std::vector<Vec3> vertices;
   std::vector<int> used;
   for (const Triangle& t : own) used.insert(used.end(), t.begin(), t.end());
@@ -160,8 +159,12 @@ Shell make_shell(const Soup& soup, const Patches& patches, int patch) {
   for (std::size_t t = 0; t < own.size(); t += step) {
     shell.probes.push_back((vertices[own[t][0]] + vertices[own[t][1]] + vertices[own[t][2]]) / 3);
   }
-  shell.query = std::make_unique<MeshQuery>(
-      std::make_shared<const Mesh>(make_mesh(std::move(vertices), std::move(own))));
+  Mesh mesh = make_mesh(std::move(vertices), std::move(own));
+  if (mesh.volume < 0) {  // inside tests count windings: the shell must look outward
+    for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+    mesh = make_mesh(std::move(mesh.vertices), std::move(mesh.triangles));
+  }
+  shell.query = std::make_unique<MeshQuery>(std::make_shared<const Mesh>(std::move(mesh)));
   return shell;
 }
 

@@ -21,10 +21,12 @@ namespace {
 /// Single precision moves a crossing by less than this; a ray that passes an edge more closely, or
 /// a facet more flatly, is not trusted alone.
 constexpr double kEdgeMargin = 2e-6;
-/// Rays start this much behind their origin, and crossings this close to it are placed again in
-/// double precision, so that a point 1e-4 (or 1e-6) off the surface falls on its right side.
-constexpr double kBackStep = 1e-4;
-constexpr double kNearOrigin = 1e-3;
+/// Rays start this far behind the asked point, outside the mesh: over a whole line entries and
+/// exits must balance, which shows when a ray slipped through at a vertex or hit an edge twice.
+constexpr double kBackStep = 1.01;
+/// Crossings this close to the point are placed again in double precision, so that a point 1e-4 (or
+/// 1e-6) off the surface falls on its right side.
+constexpr double kNearPoint = 1e-3;
 
 /// Directions with no small-integer ratio between their components, so that rays from a point of a
 /// CAD part seldom run along its faces and edges. The first ones spread over the sphere.
@@ -51,9 +53,11 @@ struct CrossingContext {
   const float* edge_margins = nullptr;
   Vec3 origin = Vec3::Zero();
   Vec3 direction = Vec3::Zero();
-  int winding = 0;
-  int crossings = 0;
-  bool is_clean = true;
+  int winding = 0;        ///< exits less entries ahead of the point
+  int balance = 0;        ///< the same over the whole line
+  int crossings = 0;      ///< ahead
+  int all_crossings = 0;  ///< over the whole line
+  bool is_clean = true;   ///< no crossing ahead is near an edge or grazing
 };
 
 /// Along the ray from `origin`, in double precision.
@@ -72,16 +76,20 @@ void count_crossing(const RTCFilterFunctionNArguments* args) {
   const unsigned triangle = RTCHitN_primID(args->hit, 1, 0);
   const float u = RTCHitN_u(args->hit, 1, 0);
   const float v = RTCHitN_v(args->hit, 1, 0);
-  const double t = double{RTCRayN_tfar(args->ray, 1, 0)} - kBackStep;
-  if (t < kNearOrigin && plane_parameter(*context, triangle) <= 0) return;
   const Vec3 normal(RTCHitN_Ng_x(args->hit, 1, 0), RTCHitN_Ng_y(args->hit, 1, 0),
                     RTCHitN_Ng_z(args->hit, 1, 0));
   const double slope = normal.dot(context->direction);
+  const int sign = slope > 0 ? 1 : -1;
+  context->balance += sign;
+  ++context->all_crossings;
+  double t = double{RTCRayN_tfar(args->ray, 1, 0)} - kBackStep;
+  if (std::abs(t) < kNearPoint) t = plane_parameter(*context, triangle);
+  if (t <= 0) return;
   if (std::min({u, v, 1 - u - v}) < context->edge_margins[triangle] ||
       slope * slope < 1e-6 * normal.squaredNorm()) {
     context->is_clean = false;
   }
-  context->winding += slope > 0 ? 1 : -1;
+  context->winding += sign;
   ++context->crossings;
 }
 
@@ -242,7 +250,9 @@ MeshQuery::Scene::Vote MeshQuery::Scene::cross(const Vec3& origin,
   rtcIntersect1(scene, &context.embree, &ray);
   // The winding number is right for overlapping solids too; parity needs no orientation.
   const bool is_inside = edge_use.is_oriented ? context.winding > 0 : context.crossings % 2 != 0;
-  return {is_inside, context.is_clean};
+  const bool is_balanced =
+      edge_use.is_oriented ? context.balance == 0 : context.all_crossings % 2 == 0;
+  return {is_inside, context.is_clean && is_balanced};
 }
 
 MeshQuery::MeshQuery(std::shared_ptr<const Mesh> mesh)

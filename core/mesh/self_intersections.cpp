@@ -18,8 +18,8 @@ bool shares_vertex(const Triangle& t, int a, int b) {
   return std::any_of(t.begin(), t.end(), [&](int i) { return i == a || i == b; });
 }
 
-/// Whether segment ab passes through the inner part of the triangle, by more than `margin` on both
-/// sides of its plane and of its edges: touching and rounding do not count.
+/// Whether segment ab passes through the triangle, by more than `margin` on both sides of its
+/// plane: touching and rounding do not count.
 bool passes_through(const Mesh& mesh, int triangle, const Vec3& a, const Vec3& b, double margin) {
   const Vec3& normal = mesh.normals[triangle];
   const Vec3 p = mesh.corner(triangle, 0);
@@ -30,7 +30,7 @@ bool passes_through(const Mesh& mesh, int triangle, const Vec3& a, const Vec3& b
   for (int k = 0; k < 3; ++k) {
     const Vec3 from = mesh.corner(triangle, k);
     const Vec3 side = mesh.corner(triangle, (k + 1) % 3) - from;
-    if (normal.cross(side).dot(x - from) < margin * side.norm()) return false;
+    if (normal.cross(side).dot(x - from) < 0) return false;
   }
   return true;
 }
