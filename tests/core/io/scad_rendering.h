@@ -7,10 +7,9 @@
 #include <sstream>
 #include <string>
 
-#include <unistd.h>
-
 #include "core/base/file.h"
 #include "core/mesh/mesh.h"
+#include "scratch_folder.h"
 
 namespace hewn::testing {
 
@@ -38,23 +37,6 @@ inline Mesh read_off(const std::filesystem::path& path) {
   }
   return make_mesh(std::move(vertices), std::move(triangles));
 }
-
-/// A folder of this test's own, removed with everything in it.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    path_ = std::filesystem::temp_directory_path() / ("hewn-test-" + std::to_string(::getpid()));
-    std::filesystem::create_directories(path_);
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// The rendered mesh, or nothing when OpenSCAD fails or warns.
 inline std::optional<Mesh> render(const std::string& scad, const ScratchFolder& folder) {

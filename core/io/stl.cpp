@@ -1,0 +1,139 @@
+#include "core/io/stl.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Tool.hxx>
+#include <Poly_Triangulation.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <fmt/format.h>
+
+#include "core/base/rng.h"
+#include "core/io/brep.h"
+#include "core/mesh/load.h"
+#include "core/mesh/query.h"
+#include "core/mesh/sampling.h"
+
+namespace hewn {
+namespace {
+
+struct TriangleSoup {
+  std::vector<Vec3> vertices;
+  std::vector<Triangle> triangles;
+};
+
+void append_face(const TopoDS_Face& face, const Brep& brep, TriangleSoup& soup) {
+  TopLoc_Location location;
+  const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
+  if (mesh.IsNull()) return;
+  const int base = static_cast<int>(soup.vertices.size());
+  for (int i = 1; i <= mesh->NbNodes(); ++i) {
+    const gp_Pnt p = mesh->Node(i).Transformed(location.Transformation());
+    soup.vertices.push_back(brep.center + Vec3(p.X(), p.Y(), p.Z()) / brep.scale);
+  }
+  for (int i = 1; i <= mesh->NbTriangles(); ++i) {
+    int a = 0;
+    int b = 0;
+    int c = 0;
+    mesh->Triangle(i).Get(a, b, c);
+    if (face.Orientation() == TopAbs_REVERSED) std::swap(b, c);
+    soup.triangles.push_back({base + a - 1, base + b - 1, base + c - 1});
+  }
+}
+
+Result<TriangleSoup> triangulated(const Brep& brep, const TessellationOptions& options) {
+  try {
+    const BRepMesh_IncrementalMesh mesher(brep.shape, options.deflection * kBrepDiagonal, false,
+                                          options.angle_deg * kPi / 180, false);
+    TriangleSoup soup;
+    for (TopExp_Explorer e(brep.shape, TopAbs_FACE); e.More(); e.Next()) {
+      append_face(TopoDS::Face(e.Current()), brep, soup);
+    }
+    return soup;
+  } catch (const Standard_Failure&) {
+    return Error{ErrorCode::Internal, "OpenCASCADE could not tessellate the solid", "mesh export"};
+  }
+}
+
+/// Share of the check points that mesh and tree classify differently, those near the surface aside.
+double disagreement(const Tree& tree, const Mesh& mesh, const TessellationOptions& options) {
+  const Box3 box = tree.bounds();
+  const double band = 2 * options.deflection * box.diagonal();
+  const MeshQuery query(std::make_shared<const Mesh>(mesh));
+  Rng rng(1);
+  int checked = 0;
+  int wrong = 0;
+  for (int i = 0; i < options.check_points; ++i) {
+    const Vec3 x = sample_box(box, rng);
+    const double d = tree.signed_distance(x);
+    if (std::abs(d) <= band) continue;
+    ++checked;
+    wrong += query.contains(x) != (d < 0) ? 1 : 0;
+  }
+  return checked > 0 ? static_cast<double>(wrong) / checked : 0;
+}
+
+Result<Mesh> try_strategy(const Tree& tree, BooleanStrategy strategy,
+                          const TessellationOptions& options, const RunContext& run) {
+  const Result<Brep> brep = build_brep(tree, strategy, run);
+  if (!brep) return brep.error();
+  Result<TriangleSoup> soup = triangulated(*brep, options);
+  if (!soup) return soup.error();
+  if (soup->triangles.empty()) {
+    return Error{ErrorCode::Internal, "the Booleans left no surface", "mesh export"};
+  }
+  Result<LoadedMesh> mesh =
+      repair_mesh(std::move(soup->vertices), std::move(soup->triangles), MeshLoadOptions{}, run);
+  if (!mesh) return mesh.error();
+  if (!mesh->report.is_closed) {
+    return Error{ErrorCode::Internal,
+                 fmt::format("the mesh has {} open edges", mesh->report.boundary_edges),
+                 "mesh export"};
+  }
+  const double wrong = disagreement(tree, mesh->mesh, options);
+  constexpr double kMostWrong = 1e-3;
+  if (wrong > kMostWrong) {
+    return Error{ErrorCode::Internal,
+                 fmt::format("{:.2g} % of the check points differ from the tree", wrong * 100),
+                 "mesh export"};
+  }
+  return std::move(mesh->mesh);
+}
+
+}  // namespace
+
+Result<Mesh> tessellate(const Tree& tree, const TessellationOptions& options,
+                        const RunContext& run) {
+  if (!(options.angle_deg > 0 && options.angle_deg <= 90 && options.deflection > 0)) {
+    return Error{ErrorCode::InvalidArgument,
+                 "the angle must be in (0, 90] degrees and the deflection positive", "mesh export"};
+  }
+  const Tree plain = without_complements(tree);
+  Error last;
+  for (const BooleanStrategy strategy :
+       {BooleanStrategy::Together, BooleanStrategy::Pairwise, BooleanStrategy::Fuzzy}) {
+    Result<Mesh> mesh = try_strategy(plain, strategy, options, run);
+    if (mesh) return mesh;
+    last = mesh.error();
+    if (last.code == ErrorCode::Cancelled || last.code == ErrorCode::InvalidArgument) return last;
+    run.info("mesh export: " + last.message + "; trying a more forgiving way");
+  }
+  last.message += "; render the .scad in OpenSCAD instead";
+  return last;
+}
+
+Result<void> write_mesh(const Tree& tree, const std::filesystem::path& path,
+                        const TessellationOptions& options, const RunContext& run) {
+  const Result<Mesh> mesh = tessellate(tree, options, run);
+  if (!mesh) return mesh.error();
+  return save_mesh(*mesh, path);
+}
+
+}  // namespace hewn
