@@ -50,7 +50,7 @@ TopoDS_Shape spindle_torus(const gp_Ax2& frame, double major, double minor) {
   const double end = std::atan2(reach, -major);
   BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(circle, -end, end).Edge(),
                                BRepBuilderAPI_MakeEdge(at(0, reach), at(0, -reach)).Edge());
-  const BRepBuilderAPI_MakeFace face(wire.Wire());
+  BRepBuilderAPI_MakeFace face(wire.Wire());
   return BRepPrimAPI_MakeRevol(face.Face(), gp_Ax1(frame.Location(), z)).Shape();
 }
 
@@ -113,9 +113,9 @@ class BrepBuilder {
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
       if (mesh.areas[t] <= 0) continue;
       const auto corner = [&](int i) { return point(to_shape(s.to_world(mesh.corner(t, i)))); };
-      const BRepBuilderAPI_MakePolygon outline(corner(0), corner(is_mirrored ? 2 : 1),
-                                               corner(is_mirrored ? 1 : 2), true);
-      const BRepBuilderAPI_MakeFace face(outline.Wire(), true);
+      BRepBuilderAPI_MakePolygon outline(corner(0), corner(is_mirrored ? 2 : 1),
+                                         corner(is_mirrored ? 1 : 2), true);
+      BRepBuilderAPI_MakeFace face(outline.Wire(), true);
       if (face.IsDone()) sewing.Add(face.Face());
     }
     sewing.Perform();

@@ -70,13 +70,13 @@ double farthest_vertex(const Tree& tree, const Mesh& mesh) {
 
 void check_rendering(const Tree& tree, double size, Rng& rng,
                      const testing::ScratchFolder& folder) {
-  const std::string scad = to_openscad(tree, {}, {.segments = 48});
+  const std::string scad = to_openscad(tree, {}, {.segments = 24});
   CAPTURE(scad);
   const std::optional<Mesh> mesh = testing::render(scad, folder);
   REQUIRE(mesh);
   CHECK(is_closed(*mesh));
-  CHECK(disagreements(tree, *mesh, 0.01 * size, rng) == 0);
-  CHECK(farthest_vertex(tree, *mesh) < 0.01 * size);
+  CHECK(disagreements(tree, *mesh, 0.02 * size, rng) == 0);
+  CHECK(farthest_vertex(tree, *mesh) < 0.02 * size);
 }
 
 bool has_volume(const Tree& tree, Rng& rng) {
@@ -94,7 +94,7 @@ TEST_CASE("random trees of all sizes render as what they are") {
   const testing::ScratchFolder folder;
   Rng rng(61);
   for (const double scale : {1.0, 0.001, 1000.0}) {
-    for (int done = 0; done < 6;) {
+    for (int done = 0; done < 4;) {
       const Tree tree = testing::random_tree(rng, {.depth = 2, .has_names = true, .scale = scale});
       if (!has_volume(tree, rng)) continue;
       check_rendering(tree, scale, rng, folder);
