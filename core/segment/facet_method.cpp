@@ -127,6 +127,10 @@ Result<Attempt> attempt(const Mesh& mesh, const std::vector<std::array<int, 3>>&
   const Result<void> planes =
       plane_leftovers(mesh, a.graph, a.tolerance, a.groups, a.group_of, run);
   if (!planes) return planes.error();
+  // The second round profits from the better fits of the first.
+  for (int round = 0; round < 2 && a.tolerance.is_resampled; ++round) {
+    merge_pieces(mesh, a.graph, a.tolerance, a.groups, a.group_of);
+  }
   dissolve_splinters(mesh, a.graph, a.tolerance, a.groups, a.group_of);
   polish_groups(mesh, a);
   return a;

@@ -116,6 +116,40 @@ bool belongs(const FacetShape& shape, const Mesh& mesh, const FacetGraph& graph,
   return exact >= 2;
 }
 
+constexpr double kPiecePlane = 0.01;  // of the mesh's area: larger planes are no pieces
+
+double area_of(const FacetGraph& graph, const GrownGroup& group) {
+  double area = 0;
+  for (const int f : group.facets) area += graph.facets[f].area;
+  return area;
+}
+
+/// Drops groups without facets and renumbers.
+void compact_groups(std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet) {
+  std::vector<int> index(groups.size(), -1);
+  std::size_t kept = 0;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (groups[g].facets.empty()) continue;
+    index[g] = static_cast<int>(kept);
+    if (kept != g) groups[kept] = std::move(groups[g]);
+    ++kept;
+  }
+  groups.resize(kept);
+  for (int& g : group_of_facet) g = g < 0 ? g : index[g];
+}
+
+/// Whether all facets of a group lie within the depth of a surface's own facets.
+bool is_piece(const FacetShape& shape, double depth, const GrownGroup& group,
+              const FacetGraph& graph, const FacetFitter& fitter) {
+  return std::all_of(group.facets.begin(), group.facets.end(), [&](int f) {
+    if (fitter.max_distance(shape.surface, f) > depth) return false;
+    if (fitter.is_tiny(f)) return true;
+    const Facet& facet = graph.facets[f];
+    const double cosine = shape.side * shape.surface.gradient(facet.centroid).dot(facet.normal);
+    return cosine >= std::cos(1.3 * shape.angle_rad + 0.02);
+  });
+}
+
 constexpr double kSplinterArea = 1e-4;  // of the mesh's area: whole splinter groups
 
 /// Decides where splinter groups go.
@@ -130,9 +164,7 @@ class SplinterDissolver {
         groups_(groups),
         group_of_(group_of_facet) {
     for (const GrownGroup& group : groups) {
-      double area = 0;
-      for (const int f : group.facets) area += graph.facets[f].area;
-      areas_.push_back(area);
+      areas_.push_back(area_of(graph, group));
     }
   }
 
@@ -145,16 +177,7 @@ class SplinterDissolver {
       if (areas_[g] > kSplinterArea * mesh_.total_area) break;
       if (groups_[g].surface.kind == SurfaceKind::Plane) dissolve(g);
     }
-    std::vector<int> index(groups_.size(), -1);
-    std::size_t kept = 0;
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-      if (groups_[g].facets.empty()) continue;
-      index[g] = static_cast<int>(kept);
-      if (kept != g) groups_[kept] = std::move(groups_[g]);
-      ++kept;
-    }
-    groups_.resize(kept);
-    for (int& g : group_of_) g = g < 0 ? g : index[g];
+    compact_groups(groups_, group_of_);
   }
 
  private:
@@ -248,6 +271,36 @@ void adopt_facets(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolera
       break;
     }
   }
+}
+
+void merge_pieces(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
+                  std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet) {
+  FacetFitter fitter(mesh, graph, tolerance);
+  std::vector<double> areas;
+  for (const GrownGroup& group : groups) areas.push_back(area_of(graph, group));
+  std::vector<int> order(groups.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return areas[a] > areas[b]; });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    GrownGroup& whole = groups[order[i]];
+    if (whole.facets.empty() || whole.surface.kind == SurfaceKind::Plane) continue;
+    const FacetShape shape = shape_of(whole, graph, fitter);
+    const FitQuality q = fitter.evaluate(whole.surface, whole.facets);
+    const double depth = 1.5 * std::max(q.max_distance, q.sagitta);
+    bool has_grown = false;
+    for (std::size_t j = i + 1; j < order.size(); ++j) {
+      GrownGroup& piece = groups[order[j]];
+      const bool is_plane = piece.surface.kind == SurfaceKind::Plane;
+      if (is_plane && areas[order[j]] > kPiecePlane * mesh.total_area) continue;
+      if (piece.facets.empty() || !is_piece(shape, depth, piece, graph, fitter)) continue;
+      for (const int f : piece.facets) group_of_facet[f] = order[i];
+      whole.facets.insert(whole.facets.end(), piece.facets.begin(), piece.facets.end());
+      piece.facets.clear();
+      has_grown = true;
+    }
+    if (has_grown) fitter.refine(whole.surface, whole.facets, {8, false, 0});
+  }
+  compact_groups(groups, group_of_facet);
 }
 
 void dissolve_splinters(const Mesh& mesh, const FacetGraph& graph,

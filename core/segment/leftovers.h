@@ -23,6 +23,11 @@ Result<void> plane_leftovers(const Mesh& mesh, const FacetGraph& graph,
                              const SurfaceTolerance& tolerance, std::vector<GrownGroup>& groups,
                              std::vector<int>& group_of_facet, const RunContext& run);
 
+/// Joins groups that lie within the depth of a larger curved group's facets to it, and refits it.
+/// For resampled meshes only: there one surface is often found in several pieces.
+void merge_pieces(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
+                  std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet);
+
 /// Dissolves small groups whose normals mean nothing, for the noise or because a resampled mesh's
 /// triangles straddle an edge, into neighbours on whose surfaces they lie.
 void dissolve_splinters(const Mesh& mesh, const FacetGraph& graph,
