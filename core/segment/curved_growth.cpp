@@ -11,6 +11,8 @@ constexpr double kMaxNormalDeviation = 0.22;  // radians; of a patch from its fi
 constexpr double kMaxSagittaRatio = 0.024;    // of the radius: steps of 25 degrees
 constexpr double kTightRms = 0.15;            // of the sagitta: corners lie on the surface
 constexpr double kResampledSlack = 3;
+constexpr double kMaxFacetShare = 0.4;    // of a resampled curved group, in one flat facet
+constexpr double kMaxRadius = 5;          // in diagonals
 constexpr double kMinNormalAngle = 0.01;  // radians; counts as a different normal
 constexpr int kPatchSizes[] = {5, 12, 30};
 constexpr int kResampledPatchSizes[] = {12, 40, 120, 360};
@@ -245,6 +247,7 @@ class CurvedGrower {
 
   std::optional<Candidate> judge(Surface s, std::vector<int> facets) {
     const FitQuality q = fitter_.evaluate(s, facets);
+    if (s.radius > kMaxRadius * tolerance_.diagonal) return std::nullopt;
     if (distinct_normals(facets) < min_facets(s.kind)) return std::nullopt;
     double rms = q.rms_distance;
     if (s.kind == SurfaceKind::Cylinder) {
@@ -259,8 +262,13 @@ class CurvedGrower {
     if ((s.kind == SurfaceKind::Sphere || s.kind == SurfaceKind::Torus) && is_flat(facets)) {
       return std::nullopt;
     }
-    double area = 0;
-    for (const int f : facets) area += graph_.facets[f].area;
+    double area = 0, largest = 0;
+    for (const int f : facets) {
+      area += graph_.facets[f].area;
+      largest = std::max(largest, graph_.facets[f].area);
+    }
+    // A plane with the straddling triangles of its rim passes for a huge cylinder.
+    if (tolerance_.is_resampled && largest > kMaxFacetShare * area) return std::nullopt;
     const double tightness = 0.05 + 0.95 / (1 + looseness * looseness / (slack * slack));
     Candidate c{s, std::move(facets), 0, looseness};
     c.score = area * simplicity(s.kind) * tightness * (c.facets.size() < 6 ? 0.5 : 1);

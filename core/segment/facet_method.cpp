@@ -10,7 +10,7 @@
 namespace hewn {
 namespace {
 
-constexpr double kResampledShare = 0.05;  // of the vertices, inside flat facets
+constexpr double kResampledShare = 0.15;  // of the vertices, inside flat facets
 constexpr int kManyPieces = 4;
 constexpr double kWorthwhile = 0.93;  // of the groups
 constexpr double kRounded = 1.5e-6;   // share of the diagonal: rounding stays below
