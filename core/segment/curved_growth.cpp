@@ -10,6 +10,7 @@ namespace {
 constexpr double kMaxNormalDeviation = 0.22;  // radians; of a patch from its first fit
 constexpr double kMaxSagittaRatio = 0.024;    // of the radius: steps of 25 degrees
 constexpr double kTightRms = 0.15;            // of the sagitta: corners lie on the surface
+constexpr double kExactLooseness = 0.1;
 constexpr double kResampledSlack = 3;
 constexpr double kMaxFacetShare = 0.4;    // of a resampled curved group, in one flat facet
 constexpr double kMaxRadius = 5;          // in diagonals
@@ -104,7 +105,7 @@ class CurvedGrower {
     const double diagonal = tolerance_.diagonal;
     if (graph_.facets[seed].area < 1e-8 * diagonal * diagonal || fitter_.is_tiny(seed)) return;
     // A seed that the best surface explains exactly would only find it again.
-    if (best.score > 0 && best.looseness < 0.1 &&
+    if (best.score > 0 && best.looseness < kExactLooseness &&
         std::binary_search(best.facets.begin(), best.facets.end(), seed)) {
       return;
     }
@@ -115,14 +116,28 @@ class CurvedGrower {
       const std::vector<int> patch = neighborhood(seed, size);
       if (patch.size() < 4) return;
       if (size > sizes.front() && static_cast<int>(patch.size()) <= size / 3) return;
-      for (const Surface& guess : fitter_.guess(patch)) {
-        std::optional<Candidate> c = develop(guess, patch);
-        if (c && c->score > best.score) {
-          best = std::move(*c);
-          std::sort(best.facets.begin(), best.facets.end());
-        }
-      }
+      if (try_patch(patch, best)) return;
     }
+  }
+
+  /// Develops every guess for a patch, simple kinds first. True when one is exact and reaches well
+  /// beyond the patch: larger patches and richer kinds would find the same.
+  bool try_patch(const std::vector<int>& patch, Candidate& best) {
+    for (const Surface& guess : fitter_.guess(patch)) {
+      std::optional<Candidate> c = develop(guess, patch);
+      if (!c) continue;
+      // A ring of facets of any surface of revolution is an exact cone, and a sphere's larger
+      // facets are only reached from larger patches.
+      const bool is_simple = guess.kind == SurfaceKind::Cylinder;
+      const bool is_exact =
+          is_simple && c->looseness < kExactLooseness && c->facets.size() >= 2 * patch.size();
+      if (c->score > best.score) {
+        best = std::move(*c);
+        std::sort(best.facets.begin(), best.facets.end());
+      }
+      if (is_exact) return true;
+    }
+    return false;
   }
 
   std::vector<int> neighborhood(int seed, int size) {
