@@ -72,8 +72,7 @@ Result<void> run_part(const std::filesystem::path& path, const RunContext& run,
   totals.literals += literals;
   totals.seconds += total;
   if (!out.empty()) {
-    OpenscadOptions scad;
-    return write_openscad(answer->tree, out + "/" + path.stem().string() + ".scad", scad);
+    return write_openscad(answer->tree, out + "/" + path.stem().string() + ".scad", {}, {});
   }
   return {};
 }
