@@ -1,6 +1,8 @@
 /// The end-to-end table: every part through segmentation, fitting and search, with times per stage.
 ///
-///   end_to_end [--threads N] [--seed N] [--out DIR] MESH...
+///   end_to_end [--threads N] [--seed N] [--out DIR] [--set OPTION=NUMBER] MESH...
+///
+/// `--set` takes the options of the tree search, for measuring what each is worth.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -38,8 +40,29 @@ struct Totals {
   double seconds = 0;
 };
 
-Result<void> run_part(const std::filesystem::path& path, const RunContext& run,
-                      const std::string& out, Totals& totals) {
+/// Applies "name=number"; false when there is no such option.
+bool set_option(TreeSearchOptions& options, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos) return false;
+  for (const auto& field : option_table<TreeSearchOptions>()) {
+    if (field.name != assignment.substr(0, equals)) continue;
+    const auto* member = std::get_if<int TreeSearchOptions::*>(&field.member);
+    if (member == nullptr) return false;
+    options.*(*member) = std::atoi(assignment.c_str() + equals + 1);
+    return true;
+  }
+  return false;
+}
+
+struct Setup {
+  RunContext run;
+  TreeSearchOptions search;
+  std::string out;
+};
+
+Result<void> run_part(const std::filesystem::path& path, const Setup& setup, Totals& totals) {
+  const RunContext& run = setup.run;
+  const std::string& out = setup.out;
   Stopwatch watch;
   const auto loaded = load_mesh(path, {}, run);
   if (!loaded) return loaded.error();
@@ -56,7 +79,7 @@ Result<void> run_part(const std::filesystem::path& path, const RunContext& run,
   problem.query = &query;
   problem.segmentation = &*segmentation;
   problem.surfaces = &*surfaces;
-  const auto answer = find_tree(problem, {}, run);
+  const auto answer = find_tree(problem, setup.search, run);
   if (!answer) return answer.error();
   const double searched = watch.lap();
   const int literals = literal_count(answer->tree);
@@ -81,18 +104,22 @@ Result<void> run_part(const std::filesystem::path& path, const RunContext& run,
 }  // namespace hewn
 
 int main(int argc, char** argv) {
-  hewn::RunContext run;
-  run.threads = 1;
-  std::string out;
+  hewn::Setup setup;
+  setup.run.threads = 1;
   std::vector<std::string> meshes;
   for (int i = 1; i < argc; ++i) {
     const std::string arg = argv[i];
     if (arg == "--threads" && i + 1 < argc) {
-      run.threads = std::atoi(argv[++i]);
+      setup.run.threads = std::atoi(argv[++i]);
     } else if (arg == "--seed" && i + 1 < argc) {
-      run.seed = static_cast<std::uint64_t>(std::atoll(argv[++i]));
+      setup.run.seed = static_cast<std::uint64_t>(std::atoll(argv[++i]));
     } else if (arg == "--out" && i + 1 < argc) {
-      out = argv[++i];
+      setup.out = argv[++i];
+    } else if (arg == "--set" && i + 1 < argc) {
+      if (!hewn::set_option(setup.search, argv[++i])) {
+        fmt::print(stderr, "no such option: {}\n", argv[i]);
+        return 2;
+      }
     } else {
       meshes.push_back(arg);
     }
@@ -103,7 +130,7 @@ int main(int argc, char** argv) {
   hewn::Totals totals;
   int failed = 0;
   for (const std::string& mesh : meshes) {
-    const auto done = hewn::run_part(mesh, run, out, totals);
+    const auto done = hewn::run_part(mesh, setup, totals);
     if (!done) {
       fmt::print("{}: {}\n", mesh, done.error().message);
       ++failed;

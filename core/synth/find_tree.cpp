@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "core/compute/parallel.h"
@@ -23,7 +24,9 @@ constexpr int kFewCounterexamples = 3;
 constexpr std::size_t kMaxDensified = 2000;
 constexpr int kDensifyCopies = 4;
 constexpr double kDensifyReach = 0.01;  // of the diagonal
-constexpr double kOnBox = 3e-4;         // of the diagonal: a halfspace that is a side of the box
+/// Halfspaces x words of a problem that is still searched with full effort.
+constexpr double kFullEffortWork = 3000;
+constexpr double kOnBox = 3e-4;  // of the diagonal: a halfspace that is a side of the box
 
 /// A right list with what it leaves out of account.
 struct Solution {
@@ -167,11 +170,19 @@ class TreeSearch {
     return 0x500000 + static_cast<std::uint64_t>(round) * 1000 + static_cast<std::uint64_t>(task);
   }
 
+  /// In (0, 1]: less for problems whose terms take long to grow, so that large parts end in time.
+  double effort() const {
+    const double work = static_cast<double>(columns_->halfspaces() * columns_->words());
+    return std::clamp(kFullEffortWork / work, 0.05, 1.0);
+  }
+
   NeighbourhoodOptions walk_options(const DecisionList& list, int share) const {
     NeighbourhoodOptions o;
-    const int scaled = 40 + 20 * static_cast<int>(list.items.size());
-    o.stall_steps = std::max(20, std::min(scaled, options_.neighbourhood_steps) / share);
+    const int full =
+        std::min(40 + 20 * static_cast<int>(list.items.size()), options_.neighbourhood_steps);
+    o.stall_steps = std::max(20, static_cast<int>(full * effort()) / share);
     o.steps = 6 * o.stall_steps;
+    o.regrow_tries = options_.regrow_tries;
     return o;
   }
 
@@ -186,7 +197,8 @@ class TreeSearch {
       Rng rng(run_.seed, stream(round, static_cast<int>(i)));
       TermGrower grower(*columns_, *combinability_);
       ConstructOptions o;
-      o.beam_width = options_.beam_width;
+      o.beam_width = std::max(2, static_cast<int>(options_.beam_width * std::sqrt(effort())));
+      o.seeds = std::max(8, static_cast<int>(o.seeds * std::sqrt(effort())));
       o.noise = i < 2 ? 0.15 : 0.4;
       std::optional<DecisionList> list = construct_list(space, o, grower, rng);
       if (list) {
@@ -323,13 +335,15 @@ class TreeSearch {
   TreeAnswer answer_;
 };
 
-constexpr std::array<OptionField<TreeSearchOptions>, 5> kOptions{{
+constexpr std::array<OptionField<TreeSearchOptions>, 6> kOptions{{
     {"volume-points", &TreeSearchOptions::volume_points, 1000, 10'000'000,
      "uniform sample points of the first round"},
     {"starts", &TreeSearchOptions::starts, 1, 64, "independent constructions that are compared"},
     {"beam-width", &TreeSearchOptions::beam_width, 1, 64, "states kept by each construction"},
     {"neighbourhood-steps", &TreeSearchOptions::neighbourhood_steps, 0, 1'000'000,
      "steps without improvement after which the neighbourhood search ends"},
+    {"regrow-tries", &TreeSearchOptions::regrow_tries, 1, 1000,
+     "terms tried for each gap that the neighbourhood search cuts"},
     {"rounds", &TreeSearchOptions::rounds, 0, 32, "counterexample rounds at most"},
 }};
 

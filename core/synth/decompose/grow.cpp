@@ -19,6 +19,7 @@ TermGrower::TermGrower(const ColumnTable& columns, const Combinability& combinab
   others_.resize(columns.words());
   others_at_start_.resize(columns.words());
   same_.resize(columns.words());
+  rest_.resize(columns.words());
 }
 
 void TermGrower::start(const GrowRequest& request) {
@@ -32,9 +33,12 @@ void TermGrower::start(const GrowRequest& request) {
   }
   others_at_start_ = others_;
   literals_.clear();
+  has_planes_ = false;
   candidates_.clear();
   for (std::size_t k = 0; k < columns_->halfspaces(); ++k) {
-    candidates_.push_back({static_cast<int>(k), test_bit(columns_->column(k, true), request.seed)});
+    const int halfspace = static_cast<int>(k);
+    candidates_.push_back({halfspace, test_bit(columns_->column(k, true), request.seed),
+                           combinability_->is_plane(halfspace), true, false});
   }
 }
 
@@ -45,26 +49,34 @@ void TermGrower::take(int halfspace, bool inside) {
     others_[i] &= column[i];
     same_[i] &= column[i];
   }
-  std::erase_if(candidates_, [=](const TermLiteral& c) { return c.halfspace == halfspace; });
+  const bool is_plane = combinability_->is_plane(halfspace);
+  has_planes_ = has_planes_ || is_plane;
+  std::erase_if(candidates_, [=](const Candidate& c) { return c.halfspace == halfspace; });
+  for (Candidate& c : candidates_) {
+    if (!c.is_plane) continue;
+    if (is_plane) {
+      c.shares_box = c.shares_box && combinability_->share_box(halfspace, c.halfspace);
+    } else if (inside) {
+      c.is_cap = c.is_cap || combinability_->caps(c.halfspace, halfspace);
+    }
+  }
 }
 
-bool TermGrower::take_curved(const GrowRequest& request, Rng& rng, int& restrict_to) {
+bool TermGrower::take_curved(const GrowRequest& request, Rng& rng) {
   if (request.mode != GrowMode::CappedCurved && request.mode != GrowMode::CurvedFirst) return true;
   std::vector<int> curved;
-  for (const TermLiteral& c : candidates_) {
-    if (c.inside && !combinability_->is_plane(c.halfspace)) curved.push_back(c.halfspace);
+  for (const Candidate& c : candidates_) {
+    if (c.inside && !c.is_plane) curved.push_back(c.halfspace);
   }
   if (curved.empty()) return false;
-  const int chosen = curved[rng.below(curved.size())];
-  take(chosen, true);
-  if (request.mode == GrowMode::CappedCurved) restrict_to = chosen;
+  take(curved[rng.below(curved.size())], true);
   return true;
 }
 
 /// Counts what each candidate keeps, and forgets those that exclude nothing: they never will again.
 void TermGrower::count_candidates(int others) {
   candidate_columns_.clear();
-  for (const TermLiteral& c : candidates_) {
+  for (const Candidate& c : candidates_) {
     candidate_columns_.push_back(columns_->column(static_cast<std::size_t>(c.halfspace), c.inside));
   }
   counts_.resize(candidates_.size());
@@ -80,38 +92,36 @@ void TermGrower::count_candidates(int others) {
   counts_.resize(kept);
 }
 
-double TermGrower::marginal_cost(int plane) const {
-  bool has_planes = false;
-  bool joins = true;
-  for (const TermLiteral& l : literals_) {
-    if (!combinability_->is_plane(l.halfspace)) {
-      if (l.inside && combinability_->caps(plane, l.halfspace)) return kJoiningCost;
-      continue;
-    }
-    has_planes = true;
-    joins = joins && combinability_->share_box(l.halfspace, plane);
-  }
-  return has_planes && joins ? kJoiningCost : 1;
+double TermGrower::marginal_cost(const Candidate& candidate) const {
+  if (!candidate.is_plane) return 1;
+  return candidate.is_cap || (has_planes_ && candidate.shares_box) ? kJoiningCost : 1;
 }
 
-TermGrower::Choice TermGrower::choose(const GrowRequest& request, int others, int restrict_to,
-                                      bool preferred_only, Rng& rng) const {
+bool TermGrower::is_preferred(GrowMode mode, const Candidate& candidate) const {
+  switch (mode) {
+    case GrowMode::CappedCurved:
+      return candidate.is_plane && candidate.is_cap;
+    case GrowMode::SingleBox:
+      return candidate.is_plane && candidate.shares_box;
+    case GrowMode::Free:
+    case GrowMode::CurvedFirst:
+      return true;
+  }
+  return true;
+}
+
+TermGrower::Choice TermGrower::choose(const GrowRequest& request, int others, bool preferred_only,
+                                      Rng& rng) const {
   Choice best;
   const int same = bit_kernels().count(same_.data(), columns_->words());
   const double base = log_[same] - log_[same + others];
-  const bool planes_only =
-      request.mode == GrowMode::CappedCurved || request.mode == GrowMode::SingleBox;
   for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    const int h = candidates_[k].halfspace;
-    const bool is_plane = combinability_->is_plane(h);
-    if (preferred_only && planes_only && !is_plane) continue;
-    const double cost = is_plane ? marginal_cost(h) : 1;
-    if (preferred_only && restrict_to >= 0 && !combinability_->caps(h, restrict_to)) continue;
-    if (preferred_only && request.mode == GrowMode::SingleBox && !literals_.empty() && cost == 1) {
-      continue;
-    }
+    if (preferred_only && !is_preferred(request.mode, candidates_[k])) continue;
     const int kept = counts_[k].b;
-    double gain = kept * (log_[kept] - log_[kept + counts_[k].a] - base) / cost;
+    double gain =
+        kept * (log_[kept] - log_[kept + counts_[k].a] - base) / marginal_cost(candidates_[k]);
+    // The random factor is drawn only where it can matter.
+    if (gain * (1 + request.noise) <= best.gain) continue;
     if (request.noise > 0) gain *= 1 + request.noise * (2 * rng.uniform() - 1);
     if (gain <= 0) gain = 1e-9 * (others - counts_[k].a);
     if (gain > best.gain) best = {gain, k, true};
@@ -119,22 +129,20 @@ TermGrower::Choice TermGrower::choose(const GrowRequest& request, int others, in
   return best;
 }
 
-bool TermGrower::is_pure_without(std::size_t skipped) const {
-  for (std::size_t i = 0; i < others_at_start_.size(); ++i) {
-    Word rest = others_at_start_[i];
-    for (std::size_t k = 0; rest != 0 && k < literals_.size(); ++k) {
-      if (k == skipped) continue;
-      rest &= columns_->column(static_cast<std::size_t>(literals_[k].halfspace),
-                               literals_[k].inside)[i];
-    }
-    if (rest != 0) return false;
-  }
-  return true;
-}
-
+/// Removes literals, the first first, that purity does not need.
 void TermGrower::drop_redundant() {
   for (std::size_t k = 0; k < literals_.size() && literals_.size() > 1;) {
-    if (is_pure_without(k)) {
+    rest_ = others_at_start_;
+    bool is_pure = false;
+    for (std::size_t m = 0; m < literals_.size() && !is_pure; ++m) {
+      if (m == k) continue;
+      const Word* column =
+          columns_->column(static_cast<std::size_t>(literals_[m].halfspace), literals_[m].inside);
+      Word any = 0;
+      for (std::size_t i = 0; i < rest_.size(); ++i) any |= rest_[i] &= column[i];
+      is_pure = any == 0;
+    }
+    if (is_pure) {
       literals_.erase(literals_.begin() + static_cast<long>(k));
     } else {
       ++k;
@@ -145,16 +153,15 @@ void TermGrower::drop_redundant() {
 std::optional<Term> TermGrower::grow(const GrowRequest& request, Rng& rng) {
   ++terms_grown_;
   start(request);
-  int restrict_to = -1;
-  if (!take_curved(request, rng, restrict_to)) return std::nullopt;
+  if (!take_curved(request, rng)) return std::nullopt;
   for (;;) {
     const int others = bit_kernels().count(others_.data(), columns_->words());
     if (others == 0) break;
     count_candidates(others);
-    Choice best = choose(request, others, restrict_to, true, rng);
-    if (!best.found) best = choose(request, others, restrict_to, false, rng);
+    Choice best = choose(request, others, true, rng);
+    if (!best.found) best = choose(request, others, false, rng);
     if (!best.found || literals_.size() == kMaxLiterals) return std::nullopt;
-    const TermLiteral chosen = candidates_[best.candidate];
+    const Candidate chosen = candidates_[best.candidate];
     take(chosen.halfspace, chosen.inside);
   }
   drop_redundant();

@@ -35,27 +35,35 @@ class TermGrower {
   long terms_grown() const { return terms_grown_; }
 
  private:
+  /// A halfspace side that the term may still take.
+  struct Candidate {
+    int halfspace;
+    bool inside;
+    bool is_plane;
+    bool shares_box;  ///< square to every plane taken so far
+    bool is_cap;      ///< caps a curved literal taken so far
+  };
   struct Choice {
     double gain = 0;
     std::size_t candidate = 0;
     bool found = false;
   };
   void start(const GrowRequest& request);
-  bool take_curved(const GrowRequest& request, Rng& rng, int& restrict_to);
+  bool take_curved(const GrowRequest& request, Rng& rng);
   void take(int halfspace, bool inside);
   void count_candidates(int others);
-  Choice choose(const GrowRequest& request, int others, int restrict_to, bool preferred_only,
-                Rng& rng) const;
-  double marginal_cost(int plane) const;
+  Choice choose(const GrowRequest& request, int others, bool preferred_only, Rng& rng) const;
+  bool is_preferred(GrowMode mode, const Candidate& candidate) const;
+  double marginal_cost(const Candidate& candidate) const;
   void drop_redundant();
-  bool is_pure_without(std::size_t skipped) const;
 
   const ColumnTable* columns_;
   const Combinability* combinability_;
   std::vector<double> log_;
-  std::vector<Word> others_, others_at_start_, same_;
+  std::vector<Word> others_, others_at_start_, same_, rest_;
   std::vector<TermLiteral> literals_;
-  std::vector<TermLiteral> candidates_;
+  bool has_planes_ = false;
+  std::vector<Candidate> candidates_;
   std::vector<const Word*> candidate_columns_;
   std::vector<CommonCounts> counts_;
   long terms_grown_ = 0;
