@@ -3,58 +3,16 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <map>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "core/fit/surface_set.h"
+#include "core/mesh/load.h"
 #include "core/segment/segment.h"
 
 namespace hewn {
 namespace {
-
-Mesh read_off(const std::string& path) {
-  std::ifstream in(path);
-  std::string magic;
-  int nv = 0, nf = 0, ne = 0;
-  in >> magic >> nv >> nf >> ne;
-  std::vector<Vec3> raw(nv), vertices;
-  Box3 box;
-  for (Vec3& p : raw) {
-    in >> p[0] >> p[1] >> p[2];
-    box.extend(p);
-  }
-  const double q = 1e-6 * box.diagonal();
-  std::map<std::array<long long, 3>, int> seen;
-  std::vector<int> id(nv);
-  for (int i = 0; i < nv; ++i) {
-    const Vec3 d = (raw[i] - box.lo) / q;
-    const std::array<long long, 3> key = {std::llround(d[0]), std::llround(d[1]),
-                                          std::llround(d[2])};
-    const auto [it, fresh] = seen.emplace(key, static_cast<int>(vertices.size()));
-    if (fresh) vertices.push_back(raw[i]);
-    id[i] = it->second;
-  }
-  std::vector<Triangle> triangles;
-  for (int i = 0; i < nf; ++i) {
-    int k = 0;
-    in >> k;
-    std::vector<int> c(k);
-    for (int& x : c) in >> x;
-    for (int j = 2; j < k; ++j) {
-      const Triangle t = {id[c[0]], id[c[j - 1]], id[c[j]]};
-      if (t[0] != t[1] && t[1] != t[2] && t[0] != t[2]) triangles.push_back(t);
-    }
-  }
-  Mesh mesh = make_mesh(vertices, triangles);
-  if (mesh.volume < 0) {
-    for (Triangle& t : triangles) std::swap(t[1], t[2]);
-    mesh = make_mesh(vertices, triangles);
-  }
-  return mesh;
-}
 
 bool set_option(SegmentOptions& options, std::string_view name, double value) {
   for (const OptionField<SegmentOptions>& field : option_table<SegmentOptions>()) {
@@ -71,9 +29,14 @@ bool set_option(SegmentOptions& options, std::string_view name, double value) {
 }
 
 void report(const std::string& path, const SegmentOptions& options, bool verbose) {
-  const Mesh mesh = read_off(path);
-  const auto start = std::chrono::steady_clock::now();
   const RunContext run;
+  const auto loaded = load_mesh(path, {}, run);
+  if (!loaded) {
+    fmt::print("{} {}\n", path, loaded.error().message);
+    return;
+  }
+  const Mesh& mesh = loaded->mesh;
+  const auto start = std::chrono::steady_clock::now();
   const auto result = segment(mesh, options, run);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
