@@ -1,6 +1,9 @@
 #include "core/csg/literal.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "core/mesh/query.h"
 
 namespace hewn {
 namespace {
@@ -93,6 +96,7 @@ double Literal::signed_distance(const Vec3& x) const {
     case SolidKind::Torus:
       return std::hypot(std::hypot(p.x(), p.y()) - major_radius, p.z()) - radius;
     case SolidKind::Polyhedron:
+      if (polyhedron_query) return polyhedron_query->signed_distance(p);
       return polyhedron ? polyhedron_distance(*polyhedron, p) : kInfinity;
   }
   return kInfinity;
@@ -128,6 +132,14 @@ Box3 Literal::bounds() const {
       break;
   }
   return box;
+}
+
+Literal polyhedron_literal(std::shared_ptr<const Mesh> mesh) {
+  Literal s;
+  s.kind = SolidKind::Polyhedron;
+  s.polyhedron = std::move(mesh);
+  s.polyhedron_query = std::make_shared<const MeshQuery>(s.polyhedron);
+  return s;
 }
 
 const char* name_of(SolidKind kind) {

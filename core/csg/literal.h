@@ -9,6 +9,8 @@
 
 namespace hewn {
 
+class MeshQuery;
+
 enum class SolidKind { Box, Cylinder, Sphere, Torus, Polyhedron };
 
 /// How the input mesh approximated a curved literal, for export that reproduces its facets.
@@ -35,16 +37,22 @@ struct Literal {
   double top_radius = 0;     ///< cylinder: at z = height
   double major_radius = 0;   ///< torus
   std::shared_ptr<const Mesh> polyhedron;
+  /// Answers distances to `polyhedron` in O(log triangles); without it each costs O(triangles).
+  std::shared_ptr<const MeshQuery> polyhedron_query;
   Facets facets;
 
   Vec3 to_local(const Vec3& x) const { return rotation.transpose() * x - origin; }
   Vec3 to_world(const Vec3& local) const { return rotation * (local + origin); }
   /// Signed distance, negative inside; exact but inside a spindle torus and a polyhedron of
-  /// several overlapping parts, where it is a bound. Cost: O(1); a polyhedron O(triangles).
+  /// several overlapping parts, where it is a bound. Cost: O(1); a polyhedron: see
+  /// `polyhedron_query`.
   double signed_distance(const Vec3& x) const;
   /// The tightest axis-aligned box.
   Box3 bounds() const;
 };
+
+/// A polyhedron literal at its mesh's place, with its query. Requires: a closed mesh.
+Literal polyhedron_literal(std::shared_ptr<const Mesh> mesh);
 
 /// "cube", "cylinder", "sphere", "torus" or "polyhedron".
 const char* name_of(SolidKind kind);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
+#include "core/mesh/query.h"
 
 namespace hewn {
 namespace {
@@ -277,6 +278,7 @@ class TreeReader {
         break;
       case SolidKind::Polyhedron:
         s.polyhedron = mesh(value, path);
+        if (s.polyhedron) s.polyhedron_query = std::make_shared<const MeshQuery>(s.polyhedron);
         break;
     }
   }

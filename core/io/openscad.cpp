@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/base/file.h"
+#include "core/csg/protrude.h"
 #include "core/io/scad_literal.h"
 #include "core/io/scad_names.h"
 
@@ -252,7 +253,8 @@ std::string header_text(const Tree& tree, const ScadHeader& header, const ScadSt
 }  // namespace
 
 std::string to_openscad(const Tree& tree, const ScadHeader& header, const ScadOptions& options) {
-  const Tree plain = without_complements(tree);
+  Tree plain = without_complements(tree);
+  if (options.extend_tools) plain = with_protruding_tools(plain);
   const ScadStyle style = style_for(plain, options);
   return header_text(plain, header, style) +
          fmt::format("\n$fn = {};\n\n", std::max(3, options.segments)) +

@@ -24,6 +24,7 @@ struct ScadHeader {
 struct ScadOptions {
   int segments = 96;          ///< the file's one `$fn`, at least 3
   bool match_facets = false;  ///< literals with known `Facets` print their own sides and phase
+  bool extend_tools = true;   ///< flush ends of subtracted literals stick out (csg/protrude.h)
 };
 
 /// The design as text: one `$fn`, named nodes as modules, lengths rounded to a decimal grid of at

@@ -90,5 +90,17 @@ TEST_CASE("the bounds hold the solid and touch it") {
   }
 }
 
+TEST_CASE("a polyhedron's query answers as the sum over its triangles does") {
+  Rng rng(13);
+  const auto mesh = std::make_shared<const Mesh>(testing::tetrahedron(1.5));
+  const Literal quick = polyhedron_literal(mesh);
+  Literal plain = quick;
+  plain.polyhedron_query.reset();
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 x = testing::random_point(rng, 2);
+    CHECK(quick.signed_distance(x) == doctest::Approx(plain.signed_distance(x)).epsilon(1e-5));
+  }
+}
+
 }  // namespace
 }  // namespace hewn

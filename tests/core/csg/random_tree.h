@@ -44,7 +44,10 @@ inline Literal random_literal(Rng& rng, double scale = 1) {
   s.top_radius = is_straight ? s.radius : rng.uniform(0.0, 0.8) * scale;
   s.major_radius = rng.uniform(0.3, 1.0) * scale;
   if (s.kind == SolidKind::Polyhedron) {
-    s.polyhedron = std::make_shared<const Mesh>(tetrahedron(rng.uniform(0.5, 1.5) * scale));
+    const double edge = rng.uniform(0.5, 1.5) * scale;
+    const Literal solid = polyhedron_literal(std::make_shared<const Mesh>(tetrahedron(edge)));
+    s.polyhedron = solid.polyhedron;
+    s.polyhedron_query = solid.polyhedron_query;
   }
   return s;
 }

@@ -100,7 +100,9 @@ TEST_CASE("siblings of one turned frame share its rotation") {
   const int b = tree.add_literal(box({0, 0, 0}, {1, 2, 3}, turn));
   const int c = tree.add_literal(box({1, 0, 0}, {2, 2, 3}, turn));
   tree.root = tree.add_node(Op::Difference, {a, b, c});
-  CHECK(body_of(tree) ==
+  // Lengthening the tools is another test's matter.
+  const ScadOptions as_is = {.extend_tools = false};
+  CHECK(body_of(tree, as_is) ==
         "difference() {\n"
         "  cube([4, 2, 1]);\n"
         "  rotate([0, 0, 45]) {\n"
@@ -114,6 +116,19 @@ TEST_CASE("siblings of one turned frame share its rotation") {
         "  cube([4, 2, 1]);\n"
         "  rotate([0, 0, 45]) cube([1, 2, 3]);\n"
         "  rotate([0, 0, 45]) translate([1, 0, 0]) cube([1, 2, 3]);\n"
+        "}\n");
+}
+
+TEST_CASE("a flush tool is lengthened where it leaves the solid") {
+  Tree tree;
+  const int plate = tree.add_literal(box({0, 0, 0}, {10, 10, 2}));
+  Literal hole = cylinder(1, 0, 2);
+  hole.origin += Vec3(5, 5, 0);
+  tree.root = tree.add_node(Op::Difference, {plate, tree.add_literal(hole)});
+  CHECK(body_of(tree) ==
+        "difference() {\n"
+        "  cube([10, 10, 2]);\n"
+        "  translate([5, 5, -1]) cylinder(h = 4, r = 1);\n"
         "}\n");
 }
 
