@@ -1,0 +1,62 @@
+#include "core/synth/decompose/grow.h"
+
+#include "tests/core/synth/search_fixture.h"
+
+namespace hewn {
+namespace {
+
+TEST_CASE("a grown term covers its seed and no open cell of the other kind") {
+  const SearchFixture f(solids::plate_with_hole({10, 8, 2}, 2, 24));
+  TermGrower grower(f.columns, f.combinability);
+  Rng rng(1);
+  int grown = 0;
+  for (int k = 0; k < 400; ++k) {
+    GrowRequest request;
+    request.open = &f.space.care;
+    request.seed = rng.below(f.columns.cells());
+    request.fills = test_bit(f.columns.wanted().data(), request.seed);
+    request.mode = static_cast<GrowMode>(k % 4);
+    request.noise = 0.5;
+    const auto term = grower.grow(request, rng);
+    if (!term) continue;
+    ++grown;
+    CHECK(test_bit(term->cover.data(), request.seed));
+    for (std::size_t i = 0; i < f.columns.words(); ++i) {
+      const Word wanted = f.columns.wanted()[i];
+      CHECK((term->cover[i] & f.space.care[i] & (request.fills ? ~wanted : wanted)) == 0);
+    }
+    CHECK(term->cost == term_cost(term->literals, f.combinability));
+  }
+  CHECK(grown > 200);
+  CHECK(grower.terms_grown() == 400);
+}
+
+TEST_CASE("no literal of a grown term can be left out") {
+  const SearchFixture f(solids::plate_with_hole({10, 8, 2}, 2, 24));
+  TermGrower grower(f.columns, f.combinability);
+  Rng rng(2);
+  for (int k = 0; k < 100; ++k) {
+    GrowRequest request;
+    request.open = &f.space.care;
+    request.seed = rng.below(f.columns.cells());
+    request.fills = test_bit(f.columns.wanted().data(), request.seed);
+    const auto term = grower.grow(request, rng);
+    REQUIRE(term);
+    for (std::size_t skip = 0; term->literals.size() > 1 && skip < term->literals.size(); ++skip) {
+      Word impure = 0;
+      for (std::size_t i = 0; i < f.columns.words(); ++i) {
+        Word cover = f.space.care[i];
+        for (std::size_t m = 0; m < term->literals.size(); ++m) {
+          if (m == skip) continue;
+          const TermLiteral& l = term->literals[m];
+          cover &= f.columns.column(static_cast<std::size_t>(l.halfspace), l.inside)[i];
+        }
+        impure |= cover & (request.fills ? ~f.columns.wanted()[i] : f.columns.wanted()[i]);
+      }
+      CHECK(impure != 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hewn

@@ -1,0 +1,81 @@
+#include "core/synth/decompose/decision_list.h"
+#include "core/synth/decompose/neighbourhood.h"
+#include "core/synth/decompose/relax.h"
+#include "tests/core/synth/search_fixture.h"
+
+namespace hewn {
+namespace {
+
+struct ListFixture : SearchFixture {
+  using SearchFixture::SearchFixture;
+
+  DecisionList construct(std::uint64_t seed) {
+    TermGrower grower(columns, combinability);
+    Rng rng(seed);
+    ConstructOptions options;
+    options.beam_width = 2;
+    options.seeds = 8;
+    auto list = construct_list(space, options, grower, rng);
+    REQUIRE(list);
+    return *list;
+  }
+};
+
+TEST_CASE("a constructed list decides every cell as wanted") {
+  ListFixture f(solids::plate_with_hole({10, 8, 2}, 2, 24));
+  const DecisionList list = f.construct(1);
+  CHECK(is_right(f.space, list.items, list.base));
+  std::vector<Word> inside(f.columns.words());
+  evaluate_list(list.items, list.base, inside);
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    CHECK(((inside[i] ^ f.columns.wanted()[i]) & f.space.care[i]) == 0);
+  }
+}
+
+TEST_CASE("a list that lacks an item has wrong cells, and repair mends them") {
+  ListFixture f(solids::plate_with_hole({10, 8, 2}, 2, 24));
+  DecisionList list = f.construct(2);
+  REQUIRE(!list.items.empty());
+  list.items.erase(list.items.begin());
+  CHECK(!is_right(f.space, list.items, list.base));
+  Word wrong = 0;
+  for (const Word w : wrong_cells(f.space, list.items, list.base)) wrong |= w;
+  CHECK(wrong != 0);
+  TermGrower grower(f.columns, f.combinability);
+  Rng rng(3);
+  REQUIRE(repair_list(f.space, list, grower, rng));
+  CHECK(is_right(f.space, list.items, list.base));
+}
+
+TEST_CASE("improving keeps a list right and never makes it dearer") {
+  ListFixture f(solids::block_with_fillet({6, 5, 4}, 1.5, 12));
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    DecisionList list = f.construct(seed);
+    const int before = list.cost();
+    TermGrower grower(f.columns, f.combinability);
+    Rng rng(seed);
+    NeighbourhoodOptions options;
+    options.steps = 100;
+    improve_list(f.space, options, list, grower, rng, f.part.run);
+    CHECK(is_right(f.space, list.items, list.base));
+    CHECK(list.cost() <= before);
+  }
+}
+
+TEST_CASE("relaxing keeps a list right and its terms no smaller") {
+  ListFixture f(solids::plate_with_hole({10, 8, 2}, 2, 24));
+  DecisionList list = f.construct(4);
+  const DecisionList before = list;
+  relax_list(f.space, f.part.surfaces, list);
+  CHECK(is_right(f.space, list.items, list.base));
+  CHECK(list.cost() <= before.cost());
+  REQUIRE(list.items.size() == before.items.size());
+  for (std::size_t k = 0; k < list.items.size(); ++k) {
+    for (std::size_t i = 0; i < f.columns.words(); ++i) {
+      CHECK((before.items[k]->cover[i] & ~list.items[k]->cover[i]) == 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hewn
