@@ -25,7 +25,7 @@ constexpr std::size_t kMaxDensified = 2000;
 constexpr int kDensifyCopies = 4;
 constexpr double kDensifyReach = 0.01;  // of the diagonal
 /// Halfspaces x words of a problem that is still searched with full effort.
-constexpr double kFullEffortWork = 3000;
+constexpr double kFullEffortWork = 2500;
 constexpr double kOnBox = 3e-4;  // of the diagonal: a halfspace that is a side of the box
 
 /// A right list with what it leaves out of account.

@@ -34,6 +34,7 @@ void TermGrower::start(const GrowRequest& request) {
   others_at_start_ = others_;
   literals_.clear();
   has_planes_ = false;
+  primitives_ = 0;
   candidates_.clear();
   for (std::size_t k = 0; k < columns_->halfspaces(); ++k) {
     const int halfspace = static_cast<int>(k);
@@ -70,6 +71,7 @@ bool TermGrower::take_curved(const GrowRequest& request, Rng& rng) {
   }
   if (curved.empty()) return false;
   take(curved[rng.below(curved.size())], true);
+  primitives_ = 1;
   return true;
 }
 
@@ -162,6 +164,7 @@ std::optional<Term> TermGrower::grow(const GrowRequest& request, Rng& rng) {
     if (!best.found) best = choose(request, others, false, rng);
     if (!best.found || literals_.size() == kMaxLiterals) return std::nullopt;
     const Candidate chosen = candidates_[best.candidate];
+    if (marginal_cost(chosen) == 1 && ++primitives_ > request.max_cost + 1) return std::nullopt;
     take(chosen.halfspace, chosen.inside);
   }
   drop_redundant();

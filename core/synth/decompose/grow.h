@@ -18,7 +18,8 @@ struct GrowRequest {
   const std::vector<Word>* required = nullptr;  ///< count gain only here; null: all open cells
   std::size_t seed = 0;                         ///< a cell that the term must cover
   bool fills = true;
-  double noise = 0;  ///< random factor on gains, for variety
+  double noise = 0;     ///< random factor on gains, for variety
+  int max_cost = 1000;  ///< give up on terms that are bound to be dearer
   GrowMode mode = GrowMode::Free;
 };
 
@@ -63,6 +64,7 @@ class TermGrower {
   std::vector<Word> others_, others_at_start_, same_, rest_;
   std::vector<TermLiteral> literals_;
   bool has_planes_ = false;
+  int primitives_ = 0;  ///< begun so far; dropping redundant literals may save one or two
   std::vector<Candidate> candidates_;
   std::vector<const Word*> candidate_columns_;
   std::vector<CommonCounts> counts_;

@@ -152,6 +152,7 @@ class Walk {
       request.fills = test_bit(space_.columns->wanted().data(), request.seed);
       request.required = rng_.below(4) != 0 ? &required_ : nullptr;
       request.noise = kRegrowNoise;
+      request.max_cost = budget;
       request.mode = static_cast<GrowMode>(rng_.below(4));
       std::optional<Term> term = grower_.grow(request, rng_);
       if (!term || term->cost > budget) continue;
