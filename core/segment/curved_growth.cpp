@@ -12,7 +12,11 @@ constexpr double kMaxSagittaRatio = 0.024;    // of the radius: steps of 25 degr
 constexpr double kTightRms = 0.15;            // of the sagitta: corners lie on the surface
 constexpr double kExactLooseness = 0.1;
 constexpr double kResampledSlack = 3;
-constexpr double kMaxFacetShare = 0.4;    // of a resampled curved group, in one flat facet
+constexpr double kMaxFacetShare = 0.4;  // of a resampled curved group, in one flat facet
+/// A smooth component that falls into this many surfaces of so few facets on average is free-form:
+/// designs have a dozen surfaces between sharp edges, not hundreds.
+constexpr int kManySurfaces = 60;
+constexpr std::size_t kFewFacets = 40;
 constexpr double kMaxRadius = 5;          // in diagonals
 constexpr double kMinNormalAngle = 0.01;  // radians; counts as a different normal
 constexpr int kPatchSizes[] = {5, 12, 30};
@@ -67,7 +71,10 @@ class CurvedGrower {
                               const RunContext& run) {
     Rng rng(kStream, static_cast<std::uint64_t>(component.front()));
     int failures = 0;
+    int found = 0;
+    std::size_t taken = 0;
     while (failures < options_.max_failures) {
+      if (found >= kManySurfaces && taken < static_cast<std::size_t>(found) * kFewFacets) break;
       std::vector<int> left;
       for (const int f : component) {
         if (group_of_[f] < 0) left.push_back(f);
@@ -92,6 +99,8 @@ class CurvedGrower {
         continue;
       }
       failures = 0;
+      ++found;
+      taken += best.facets.size();
       for (const int f : best.facets) group_of_[f] = static_cast<int>(groups.size());
       groups.push_back({best.surface, std::move(best.facets)});
     }

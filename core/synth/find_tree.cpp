@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "core/compute/parallel.h"
 #include "core/sample/cells.h"
@@ -26,6 +27,8 @@ constexpr int kDensifyCopies = 4;
 constexpr double kDensifyReach = 0.01;  // of the diagonal
 /// Halfspaces x words of a problem that is still searched with full effort.
 constexpr double kFullEffortWork = 2500;
+/// More surfaces than any design has: the mesh is free-form or hopelessly noisy.
+constexpr std::size_t kMaxHalfspaces = 1500;
 constexpr double kOnBox = 3e-4;  // of the diagonal: a halfspace that is a side of the box
 
 /// A right list with what it leaves out of account.
