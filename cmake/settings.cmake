@@ -4,6 +4,10 @@ target_compile_features(hewn_settings INTERFACE cxx_std_20)
 # No contraction: the same source must give the same bits on every compiler and device.
 target_compile_options(hewn_settings INTERFACE -ffp-contract=off -Wall -Wextra -Wconversion
                        -Wshadow -Wno-sign-conversion)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  # False alarm on `"text" + string` (GCC bug 105651).
+  target_compile_options(hewn_settings INTERFACE -Wno-restrict)
+endif()
 if(HEWN_WERROR)
   target_compile_options(hewn_settings INTERFACE -Werror)
 endif()

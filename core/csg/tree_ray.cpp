@@ -1,0 +1,310 @@
+#include "core/csg/tree_ray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace hewn {
+namespace {
+
+using Intervals = std::vector<TreeInterval>;
+
+/// A stretch along a line with the faces at its ends, narrowed by one constraint after the other.
+struct Span {
+  double enter = -kInfinity, leave = kInfinity;
+  int enter_face = 0, leave_face = 0;
+
+  void clip(double from, int from_face, double to, int to_face) {
+    if (from > enter) {
+      enter = from;
+      enter_face = from_face;
+    }
+    if (to < leave) {
+      leave = to;
+      leave_face = to_face;
+    }
+  }
+  bool is_empty() const { return !(enter < leave); }
+  void clear() { leave = -kInfinity; }
+};
+
+/// Narrows to lo <= o + t d <= hi along one coordinate.
+void clip_slab(Span& span, double o, double d, double lo, double hi, int lo_face, int hi_face) {
+  if (d == 0) {
+    if (o < lo || o > hi) span.clear();
+    return;
+  }
+  const double t_lo = (lo - o) / d;
+  const double t_hi = (hi - o) / d;
+  if (d > 0) {
+    span.clip(t_lo, lo_face, t_hi, hi_face);
+  } else {
+    span.clip(t_hi, hi_face, t_lo, lo_face);
+  }
+}
+
+void add(Intervals& out, const Span& span, int literal) {
+  if (span.is_empty() || span.leave <= 0) return;
+  out.push_back({{span.enter, literal, span.enter_face}, {span.leave, literal, span.leave_face}});
+}
+
+/// Real roots of a t^2 + 2 b t + c in ascending order; false without two of them.
+bool roots(double a, double b, double c, double& lo, double& hi) {
+  const double discriminant = b * b - a * c;
+  if (!(discriminant > 0) || a == 0) return false;
+  const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+  lo = q / a;
+  hi = q == 0 ? 0 : c / q;
+  if (lo > hi) std::swap(lo, hi);
+  return true;
+}
+
+/// The part of the z slab where x^2 + y^2 <= (r + slope z)^2: convex, hence one span.
+void clip_flank(Span& span, const Vec3& o, const Vec3& d, double radius, double slope) {
+  const double r = radius + slope * o.z();
+  const double dr = slope * d.z();
+  const double a = d.x() * d.x() + d.y() * d.y() - dr * dr;
+  const double b = o.x() * d.x() + o.y() * d.y() - r * dr;
+  const double c = o.x() * o.x() + o.y() * o.y() - r * r;
+  double lo = 0;
+  double hi = 0;
+  if (!roots(a, b, c, lo, hi)) {
+    // No crossing: the line is inside for good or outside for good. With a == 0 it runs along a
+    // flank line and crosses once.
+    if (a == 0 && b != 0) {
+      const double t = -c / (2 * b);
+      b > 0 ? span.clip(-kInfinity, 0, t, 0) : span.clip(t, 0, kInfinity, 0);
+    } else if (c > 0) {
+      span.clear();
+    }
+  } else if (a > 0) {
+    span.clip(lo, 0, hi, 0);
+  } else {
+    // Steeper than the flank: inside the double cone before `lo` and after `hi`; the slab holds
+    // only the nappe where the radius is positive.
+    dr > 0 ? span.clip(hi, 0, kInfinity, 0) : span.clip(-kInfinity, 0, lo, 0);
+  }
+}
+
+/// Walks through the torus by its exact distance: every root lies at least |distance| away.
+void cast_torus(const Literal& shape, const Vec3& o, const Vec3& d, int index, Intervals& out) {
+  const double reach = shape.major_radius + shape.radius;
+  const double length = d.norm();
+  double t = 0;
+  double end = 0;
+  if (!roots(d.squaredNorm(), o.dot(d), o.squaredNorm() - reach * reach, t, end)) return;
+  const auto distance = [&](double at) {
+    const Vec3 p = o + at * d;
+    return std::hypot(std::hypot(p.x(), p.y()) - shape.major_radius, p.z()) - shape.radius;
+  };
+  const double smallest = 1e-7 * reach;
+  bool inside = false;
+  double enter = 0;
+  while (t < end) {
+    const double value = distance(t);
+    if (value < 0 && !inside) enter = t;
+    if (value >= 0 && inside && t > 0) out.push_back({{enter, index, 0}, {t, index, 0}});
+    inside = value < 0;
+    t += std::max(std::abs(value), smallest) / length;
+  }
+  if (inside && end > 0) out.push_back({{enter, index, 0}, {end, index, 0}});
+}
+
+/// Crossings of a closed mesh, paired up in order.
+void cast_mesh(const MeshQuery& query, const Vec3& o, const Vec3& d, int index, Intervals& out) {
+  const double step = 1e-6 * query.mesh().diagonal() / d.norm();
+  bool inside = query.contains(o);
+  double t = 0;
+  double enter = 0;
+  for (int crossings = 0; crossings < 1000; ++crossings) {
+    const RayHit hit = query.cast(o + t * d, d);
+    if (hit.triangle < 0) break;
+    t += hit.t;
+    if (inside) {
+      out.push_back({{enter, index, 0}, {t, index, 0}});
+    } else {
+      enter = t;
+    }
+    inside = !inside;
+    t += step;
+  }
+}
+
+/// a or b, both ascending and disjoint.
+void unite(const Intervals& a, const Intervals& b, Intervals& out) {
+  out.clear();
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i < a.size() || j < b.size()) {
+    const bool from_a = j == b.size() || (i < a.size() && a[i].enter.t <= b[j].enter.t);
+    const TreeInterval& next = from_a ? a[i++] : b[j++];
+    if (!out.empty() && next.enter.t <= out.back().leave.t) {
+      if (next.leave.t > out.back().leave.t) out.back().leave = next.leave;
+    } else {
+      out.push_back(next);
+    }
+  }
+}
+
+void intersect(const Intervals& a, const Intervals& b, Intervals& out) {
+  out.clear();
+  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+    const TreeCrossing& enter = a[i].enter.t >= b[j].enter.t ? a[i].enter : b[j].enter;
+    const TreeCrossing& leave = a[i].leave.t <= b[j].leave.t ? a[i].leave : b[j].leave;
+    if (enter.t < leave.t) out.push_back({enter, leave});
+    a[i].leave.t <= b[j].leave.t ? ++i : ++j;
+  }
+}
+
+/// The line without `a`.
+void complement(const Intervals& a, Intervals& out) {
+  out.clear();
+  TreeCrossing from{-kInfinity, -1, 0};
+  for (const TreeInterval& stretch : a) {
+    if (from.t < stretch.enter.t) out.push_back({from, stretch.enter});
+    from = stretch.leave;
+  }
+  if (from.t < kInfinity) out.push_back({from, {kInfinity, -1, 0}});
+}
+
+}  // namespace
+
+struct TreeRays::Ray {
+  Vec3 origin, direction;
+};
+
+TreeRays::TreeRays(const Tree& tree) : tree_(&tree) {
+  for (const Literal& literal : tree.literals) {
+    bounds_.push_back(literal.bounds());
+    meshes_.push_back(literal.kind == SolidKind::Polyhedron && literal.polyhedron
+                          ? std::make_shared<const MeshQuery>(literal.polyhedron)
+                          : nullptr);
+  }
+}
+
+void TreeRays::cast_literal(int literal, const Ray& ray, Intervals& out) const {
+  out.clear();
+  Span reach;
+  for (int k = 0; k < 3; ++k) {
+    clip_slab(reach, ray.origin[k], ray.direction[k], bounds_[literal].lo[k],
+              bounds_[literal].hi[k], 0, 0);
+  }
+  const Literal& shape = tree_->literals[literal];
+  // Generous: bounds are computed apart from the surfaces that they enclose.
+  const double slack = 1e-9 * (1 + std::abs(reach.enter));
+  if (reach.enter > reach.leave + slack || reach.leave < 0) return;
+
+  const Vec3 o = shape.to_local(ray.origin);
+  const Vec3 d = shape.rotation.transpose() * ray.direction;
+  Span span;
+  switch (shape.kind) {
+    case SolidKind::Box:
+      for (int k = 0; k < 3; ++k) {
+        clip_slab(span, o[k], d[k], 0, shape.size[k], 2 * k, 2 * k + 1);
+      }
+      add(out, span, literal);
+      break;
+    case SolidKind::Cylinder:
+      clip_slab(span, o.z(), d.z(), 0, shape.height, 1, 2);
+      clip_flank(span, o, d, shape.radius, (shape.top_radius - shape.radius) / shape.height);
+      add(out, span, literal);
+      break;
+    case SolidKind::Sphere:
+      if (!roots(d.squaredNorm(), o.dot(d), o.squaredNorm() - shape.radius * shape.radius,
+                 span.enter, span.leave)) {
+        span.clear();
+      }
+      add(out, span, literal);
+      break;
+    case SolidKind::Torus:
+      cast_torus(shape, o, d, literal, out);
+      break;
+    case SolidKind::Polyhedron:
+      if (meshes_[literal]) cast_mesh(*meshes_[literal], o, d, literal, out);
+      break;
+  }
+}
+
+void TreeRays::cast_node(int node, const Ray& ray, std::size_t depth,
+                         TreeRayScratch& scratch) const {
+  // Four lists a level: the result so far, the child's, its complement and the combination.
+  const std::size_t base = 3 * depth;
+  if (scratch.lists.size() < base + 4) scratch.lists.resize(base + 4);
+  const Node& here = tree_->nodes[node];
+  if (here.op == Op::Literal) {
+    cast_literal(here.literal, ray, scratch.lists[base]);
+    return;
+  }
+  scratch.lists[base].clear();
+  bool is_first = true;
+  for (const int child : here.children) {
+    // Nothing can come back once an intersection or difference is empty.
+    if (!is_first && here.op != Op::Union && scratch.lists[base].empty()) return;
+    cast_node(child, ray, depth + 1, scratch);
+    if (scratch.lists.size() < base + 4) scratch.lists.resize(base + 4);
+    Intervals& result = scratch.lists[base];
+    Intervals& other = scratch.lists[base + 3];
+    Intervals& merged = scratch.lists[base + 1];
+    if (here.op == Op::Complement) {
+      complement(other, result);
+    } else if (is_first) {
+      result = other;
+    } else if (here.op == Op::Union) {
+      unite(result, other, merged);
+      std::swap(result, merged);
+    } else if (here.op == Op::Intersection) {
+      intersect(result, other, merged);
+      std::swap(result, merged);
+    } else {
+      complement(other, scratch.lists[base + 2]);
+      intersect(result, scratch.lists[base + 2], merged);
+      std::swap(result, merged);
+    }
+    is_first = false;
+  }
+}
+
+const Intervals& TreeRays::cast(const Vec3& origin, const Vec3& direction,
+                                TreeRayScratch& scratch) const {
+  if (scratch.lists.empty()) scratch.lists.resize(4);
+  scratch.lists[0].clear();
+  if (!tree_->is_empty()) cast_node(tree_->root, {origin, direction}, 0, scratch);
+  std::erase_if(scratch.lists[0], [](const TreeInterval& s) { return s.leave.t <= 0; });
+  return scratch.lists[0];
+}
+
+Vec3 TreeRays::normal(const TreeCrossing& crossing, const Vec3& position,
+                      const Vec3& direction) const {
+  if (crossing.literal < 0) return -direction.normalized();
+  const Literal& shape = tree_->literals[crossing.literal];
+  const Vec3 x = shape.to_local(position);
+  Vec3 local = Vec3::UnitZ();
+  switch (shape.kind) {
+    case SolidKind::Box:
+      local = Vec3::Unit(crossing.face / 2);
+      break;
+    case SolidKind::Cylinder:
+      if (crossing.face == 0) {
+        const double slope = (shape.top_radius - shape.radius) / shape.height;
+        local = Vec3(x.x(), x.y(), -slope * std::hypot(x.x(), x.y())).normalized();
+      }
+      break;
+    case SolidKind::Sphere:
+      local = x.normalized();
+      break;
+    case SolidKind::Torus: {
+      const Vec3 ring = Vec3(x.x(), x.y(), 0).normalized() * shape.major_radius;
+      local = (x - ring).normalized();
+      break;
+    }
+    case SolidKind::Polyhedron:
+      local =
+          meshes_[crossing.literal]->mesh().normals[meshes_[crossing.literal]->closest(x).triangle];
+      break;
+  }
+  const Vec3 n = shape.rotation * local;
+  return n.dot(direction) > 0 ? Vec3(-n) : n;
+}
+
+}  // namespace hewn

@@ -1,0 +1,51 @@
+#pragma once
+/// Rays through CSG trees: exact crossings per literal, combined as intervals (Roth 1982).
+#include <memory>
+#include <vector>
+
+#include "core/csg/tree.h"
+#include "core/mesh/query.h"
+
+namespace hewn {
+
+/// Where a ray enters or leaves the solid.
+struct TreeCrossing {
+  double t = kInfinity;  ///< in lengths of the direction
+  int literal = -1;      ///< whose boundary is crossed; index into `Tree::literals`
+  int face = 0;          ///< of the literal: box 0..5; cylinder 0 flank, 1 bottom, 2 top; else 0
+};
+
+/// A stretch of a ray inside the solid.
+struct TreeInterval {
+  TreeCrossing enter, leave;
+};
+
+/// Scratch memory of one thread; keeps casting free of allocations.
+struct TreeRayScratch {
+  std::vector<std::vector<TreeInterval>> lists;
+};
+
+/// Immutable once built; thread-safe. The tree must outlive it.
+class TreeRays {
+ public:
+  explicit TreeRays(const Tree& tree);
+
+  /// All stretches with t > 0 inside the solid, ascending. Cost: O(literals) for small results.
+  const std::vector<TreeInterval>& cast(const Vec3& origin, const Vec3& direction,
+                                        TreeRayScratch& scratch) const;
+  /// The unit normal at a crossing's position, on the side that `direction` comes from: outward
+  /// for the ray's own direction where it enters, for the opposite one where it leaves.
+  Vec3 normal(const TreeCrossing& crossing, const Vec3& position, const Vec3& direction) const;
+  const Tree& tree() const { return *tree_; }
+
+ private:
+  struct Ray;
+  void cast_node(int node, const Ray& ray, std::size_t depth, TreeRayScratch& scratch) const;
+  void cast_literal(int literal, const Ray& ray, std::vector<TreeInterval>& out) const;
+
+  const Tree* tree_;
+  std::vector<Box3> bounds_;                              ///< of each literal
+  std::vector<std::shared_ptr<const MeshQuery>> meshes_;  ///< of polyhedra, else null
+};
+
+}  // namespace hewn

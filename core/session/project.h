@@ -1,0 +1,62 @@
+#pragma once
+/// The project file: a mesh and the user's plan for it. Format: docs/project-file.md
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/csg/tree.h"
+#include "core/session/settings.h"
+
+namespace hewn {
+
+/// Names a face group, robustly by a point on it, or by its index. The point decides when both
+/// are given, so that a plan survives a change of the segmentation.
+struct GroupRef {
+  std::optional<Vec3> at;
+  int index = -1;
+};
+
+/// Divides groups along the plane `normal . x = offset`.
+struct CutStep {
+  Vec3 normal = Vec3::UnitZ();  ///< unit
+  double offset = 0;
+  std::vector<GroupRef> groups;  ///< empty: all
+};
+
+/// A named set of groups with the operation that joins it to what stands before it among its
+/// siblings, or to its parent's own solid.
+struct PartitionPlan {
+  std::string name = "part";
+  Op op = Op::Union;  ///< Union, Difference or Intersection
+  std::vector<GroupRef> groups;
+  bool takes_rest = false;  ///< all groups that no partition names
+  std::vector<PartitionPlan> children;
+};
+
+struct Project {
+  std::filesystem::path mesh;
+  std::uint64_t seed = 1;
+  Settings settings;
+  std::vector<CutStep> cuts;                  ///< in order; each sees the groups of those before
+  std::vector<std::vector<GroupRef>> merges;  ///< after the cuts
+  PartitionPlan root = {"part", Op::Union, {}, true, {}};
+};
+
+/// The version that this program writes and the newest that it reads.
+inline constexpr int kProjectVersion = 1;
+
+/// Reads a project; a relative mesh path is taken from `folder`.
+/// Fails with: Format (says which key), InvalidArgument (an option's value).
+Result<Project> parse_project(std::string_view text, const std::filesystem::path& folder);
+
+/// The text that `parse_project` reads; the mesh's path is written relative to `folder`.
+std::string project_text(const Project& project, const std::filesystem::path& folder);
+
+/// Fails as `parse_project` and `read_file` do.
+Result<Project> load_project(const std::filesystem::path& path);
+
+}  // namespace hewn

@@ -1,0 +1,253 @@
+#include "core/session/reconstruct.h"
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/compute/parallel.h"
+#include "core/segment/segment.h"
+
+namespace hewn {
+namespace {
+
+/// Measures the time since it was made or last asked.
+class StopWatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> passed = now - start_;
+    start_ = now;
+    return passed.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Joins the progress of partitions that are searched side by side.
+class SharedProgress {
+ public:
+  SharedProgress(const RunContext& run, std::size_t count) : run_(run), shares_(count, 0) {}
+
+  RunContext context_for(std::size_t i) {
+    RunContext own = run_;
+    if (run_.on_progress) {
+      own.on_progress = [this, i](const char* stage, double share) { update(i, stage, share); };
+    }
+    return own;
+  }
+
+ private:
+  void update(std::size_t i, const char* stage, double share) {
+    double sum = 0;
+    {
+      const std::lock_guard lock(mutex_);
+      shares_[i] = std::max(shares_[i], share);
+      for (const double s : shares_) sum += s;
+    }
+    run_.report(stage, sum / static_cast<double>(shares_.size()));
+  }
+
+  const RunContext& run_;
+  std::mutex mutex_;
+  std::vector<double> shares_;
+};
+
+const char* op_text(Op op) {
+  if (op == Op::Difference) return "difference";
+  return op == Op::Intersection ? "intersection" : "union";
+}
+
+/// The mesh as a literal: what is left when no primitive explains it.
+Tree polyhedron_tree(std::shared_ptr<const Mesh> mesh) {
+  Literal literal;
+  literal.kind = SolidKind::Polyhedron;
+  literal.polyhedron = std::move(mesh);
+  Tree tree;
+  tree.root = tree.add_literal(std::move(literal));
+  return tree;
+}
+
+class Reconstructor {
+ public:
+  Reconstructor(const Project& project, const RunContext& run) : project_(project), run_(run) {
+    run_.seed = project.seed;
+    // Warnings go to the report as well as to the caller, in the order in which they came.
+    run_.on_log = [this, forward = run.on_log](const LogEntry& entry) {
+      if (entry.severity != Severity::Info) {
+        const std::lock_guard lock(mutex_);
+        out_.warnings.push_back(entry.message);
+      }
+      if (forward) forward(entry);
+    };
+  }
+
+  Result<SegmentedMesh> prepare() {
+    StopWatch watch;
+    SegmentedMesh out;
+    run_.report("load", 0);
+    auto loaded = load_mesh(project_.mesh, project_.settings.load, run_);
+    if (!loaded) return loaded.error();
+    out.report = std::move(loaded->report);
+    for (const std::string& warning : out.report.warnings) run_.warn(warning);
+    out.times.push_back({"load", watch.lap()});
+
+    run_.report("segment", 0);
+    auto mesh = std::make_shared<const Mesh>(std::move(loaded->mesh));
+    auto groups = segment(*mesh, project_.settings.segment, run_);
+    if (!groups) return groups.error();
+    out.times.push_back({"segment", watch.lap()});
+
+    auto prepared = apply_edits(project_, std::move(mesh), std::move(*groups), run_);
+    if (!prepared) return prepared.error();
+    out.prepared = std::move(*prepared);
+    out.times.push_back({"edit", watch.lap()});
+    return out;
+  }
+
+  Result<Reconstruction> run() {
+    auto segmented = prepare();
+    if (!segmented) return segmented.error();
+    out_.mesh_report = std::move(segmented->report);
+    out_.prepared = std::move(segmented->prepared);
+    out_.times = std::move(segmented->times);
+
+    StopWatch watch;
+    auto surfaces = regularise(*out_.prepared.mesh, out_.prepared.segmentation,
+                               project_.settings.regularise, run_);
+    if (!surfaces) return surfaces.error();
+    out_.surfaces = std::move(*surfaces);
+    out_.times.push_back({"regularise", watch.lap()});
+
+    auto partitions = resolve_partitions(project_, out_.prepared, run_);
+    if (!partitions) return partitions.error();
+    if (auto found = search(*partitions); !found) return found.error();
+    out_.tree = flattened(join(*partitions));
+    out_.times.push_back({"search", watch.lap()});
+
+    auto score = score_tree(*out_.prepared.query, out_.tree, project_.settings.verify, run_);
+    if (!score) return score.error();
+    out_.score = *score;
+    out_.times.push_back({"verify", watch.lap()});
+    return std::move(out_);
+  }
+
+ private:
+  /// Finds the tree of every partition that has groups, side by side.
+  Result<void> search(const std::vector<Partition>& partitions) {
+    for (std::size_t p = 0; p < partitions.size(); ++p) {
+      if (!partitions[p].groups.empty()) work_.push_back(p);
+    }
+    if (work_.empty()) {
+      return Error{ErrorCode::InvalidArgument, "no partition has a face group: nothing to do"};
+    }
+    std::vector<std::optional<Result<PartitionResult>>> answers(work_.size());
+    SharedProgress progress(run_, work_.size());
+    for_each_index(run_.threads, work_.size(), [&](std::size_t i) {
+      answers[i] = search_one(partitions[work_[i]], progress.context_for(i));
+    });
+    for (auto& answer : answers) {
+      if (!*answer) return answer->error();
+      if ((*answer)->is_polyhedron) {
+        run_.warn(
+            fmt::format("no primitives explain '{}': it is kept as a polyhedron", (*answer)->name));
+      }
+      out_.partitions.push_back(std::move(**answer));
+    }
+    return {};
+  }
+
+  Result<PartitionResult> search_one(const Partition& partition, const RunContext& run) const {
+    const Segmentation& segmentation = out_.prepared.segmentation;
+    PartitionResult result;
+    result.name = partition.name;
+    result.op = op_text(partition.op);
+    result.groups = static_cast<int>(partition.groups.size());
+    for (const int g : partition.groups) result.area_share += segmentation.groups[g].area;
+    result.area_share /= out_.prepared.mesh->total_area;
+
+    const SurfaceSet surfaces = with_cut_planes(out_.surfaces, project_, partition);
+    const bool is_whole = partition.groups.size() == segmentation.groups.size();
+    TreeProblem problem;
+    problem.query = out_.prepared.query.get();
+    problem.segmentation = &segmentation;
+    problem.surfaces = &surfaces;
+    if (!is_whole) problem.groups = partition.groups;
+    problem.is_subtracted = partition.is_subtracted;
+    auto answer = find_tree(problem, project_.settings.tree, run);
+    if (answer) {
+      result.answer = std::move(*answer);
+      return result;
+    }
+    Error error = answer.error();
+    const bool can_keep = error.code == ErrorCode::NotFound && is_whole &&
+                          !partition.is_subtracted && out_.mesh_report.is_closed;
+    if (can_keep) {
+      result.answer.tree = polyhedron_tree(out_.prepared.mesh);
+      result.answer.agreement = 1;
+      result.is_polyhedron = true;
+      return result;
+    }
+    if (error.where.empty()) error.where = "partition " + partition.name;
+    return error;
+  }
+
+  /// The partitions' trees under the user's expression.
+  Tree join(const std::vector<Partition>& partitions) const {
+    Tree tree;
+    tree.root = join_below(partitions, 0, tree);
+    return tree;
+  }
+
+  int join_below(const std::vector<Partition>& partitions, int here, Tree& tree) const {
+    int node = -1;
+    for (std::size_t i = 0; i < work_.size(); ++i) {
+      if (static_cast<int>(work_[i]) == here) node = tree.graft(out_.partitions[i].answer.tree);
+    }
+    const bool is_only = partitions.size() == 1;
+    if (node >= 0 && !is_only) node = named(tree, node, partitions[here].name);
+    for (std::size_t p = 0; p < partitions.size(); ++p) {
+      if (partitions[p].parent != here) continue;
+      const int child = join_below(partitions, static_cast<int>(p), tree);
+      if (child < 0) {
+        if (partitions[p].op == Op::Intersection) node = -1;
+        continue;
+      }
+      if (node < 0) {
+        node = partitions[p].op == Op::Union ? child : -1;
+      } else {
+        node = tree.add_node(partitions[p].op, {node, child});
+      }
+    }
+    return node;
+  }
+
+  /// Gives the node a name; one that already has a name is wrapped.
+  static int named(Tree& tree, int node, const std::string& name) {
+    if (!tree.nodes[node].name.empty()) return tree.add_node(Op::Union, {node}, name);
+    tree.nodes[node].name = name;
+    return node;
+  }
+
+  const Project& project_;
+  RunContext run_;
+  std::mutex mutex_;
+  Reconstruction out_;
+  std::vector<std::size_t> work_;  ///< partitions with groups of their own
+};
+
+}  // namespace
+
+Result<SegmentedMesh> segment_project(const Project& project, const RunContext& run) {
+  return Reconstructor(project, run).prepare();
+}
+
+Result<Reconstruction> reconstruct(const Project& project, const RunContext& run) {
+  return Reconstructor(project, run).run();
+}
+
+}  // namespace hewn

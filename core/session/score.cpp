@@ -1,0 +1,187 @@
+#include "core/session/score.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/base/rng.h"
+#include "core/compute/parallel.h"
+#include "core/csg/tree_ray.h"
+#include "core/mesh/sampling.h"
+
+namespace hewn {
+namespace {
+
+constexpr std::size_t kChunk = 512;
+constexpr std::uint64_t kVolumeStream = 0x700000;
+constexpr std::uint64_t kSurfaceStream = 0x800000;
+constexpr std::uint64_t kLineStream = 0x900000;
+
+struct Distances {
+  double largest = 0;
+  double mean = 0;
+};
+
+/// Summed in order, so that the number of threads leaves no trace.
+Distances summarise(const std::vector<double>& values) {
+  Distances out;
+  double sum = 0;
+  for (const double v : values) {
+    out.largest = std::max(out.largest, v);
+    sum += v;
+  }
+  if (!values.empty()) out.mean = sum / static_cast<double>(values.size());
+  return out;
+}
+
+/// Calls `body(i, rng)` for all i; each chunk has its own random numbers.
+template <class Body>
+void sample_all(std::size_t n, std::uint64_t stream, const RunContext& run, const Body& body) {
+  for_each_chunk(run.threads, n, kChunk, [&](std::size_t begin, std::size_t end) {
+    if (run.is_cancelled()) return;
+    Rng rng(run.seed, stream + begin / kChunk);
+    for (std::size_t i = begin; i < end; ++i) body(i, rng);
+  });
+}
+
+Vec3 distance_gradient(const Tree& tree, const Vec3& p, double step) {
+  Vec3 g;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 shift = Vec3::Unit(k) * step;
+    g[k] = tree.signed_distance(p + shift) - tree.signed_distance(p - shift);
+  }
+  return g.norm() > 0 ? Vec3(g.normalized()) : Vec3::UnitZ();
+}
+
+/// The tree's min/max distance is a lower bound; a walk along its gradient to where it vanishes
+/// gives a point on the surface, hence an upper one.
+double distance_to_tree(const Tree& tree, const Vec3& p, double diagonal) {
+  constexpr int kSteps = 6;
+  const double bound = std::abs(tree.signed_distance(p));
+  if (bound < 1e-6 * diagonal) return bound;
+  Vec3 q = p;
+  double value = tree.signed_distance(q);
+  for (int i = 0; i < kSteps && std::abs(value) > 1e-6 * diagonal; ++i) {
+    q -= value * distance_gradient(tree, q, 1e-6 * diagonal);
+    value = tree.signed_distance(q);
+  }
+  const bool has_arrived = std::abs(value) <= 0.05 * bound;
+  return has_arrived ? std::max(bound, (q - p).norm()) : bound;
+}
+
+/// Membership of random points in mesh and tree.
+void score_volume(const MeshQuery& query, const Tree& tree, int points, const RunContext& run,
+                  TreeScore& score) {
+  Box3 box = query.mesh().bounds;
+  const Vec3 margin = Vec3::Constant(0.025 * box.diagonal());
+  box.lo -= margin;
+  box.hi += margin;
+  std::vector<char> membership(static_cast<std::size_t>(points));
+  std::vector<Vec3> positions(membership.size());
+  sample_all(membership.size(), kVolumeStream, run, [&](std::size_t i, Rng& rng) {
+    positions[i] = sample_box(box, rng);
+    const bool in_mesh = query.contains(positions[i]);
+    const bool in_tree = tree.contains(positions[i]);
+    membership[i] = static_cast<char>((in_mesh ? 1 : 0) + (in_tree ? 2 : 0));
+  });
+  std::size_t both = 0;
+  std::size_t one = 0;
+  for (const char m : membership) {
+    both += m == 3;
+    one += m == 1 || m == 2;
+  }
+  score.iou = both + one == 0 ? 0 : static_cast<double>(both) / static_cast<double>(both + one);
+  score.agreement = 1 - static_cast<double>(one) / static_cast<double>(membership.size());
+  // A few thousand points decide which operands overlap.
+  constexpr std::size_t kProximityPoints = 8192;
+  positions.resize(std::min(positions.size(), kProximityPoints));
+  score.proximity = proximity(tree, positions);
+}
+
+/// Crossings of random lines with the tree's surface.
+struct LineSample {
+  std::vector<double> distances;  ///< from the mesh
+  std::size_t on_polyhedra = 0;
+};
+
+/// A line that is uniform among those that meet the ball.
+void draw_line(const Vec3& center, double radius, Rng& rng, Vec3& origin, Vec3& direction) {
+  const double z = rng.uniform(-1, 1);
+  const double turn = rng.uniform(0, 2 * kPi);
+  const double flat = std::sqrt(std::max(0.0, 1 - z * z));
+  direction = Vec3(flat * std::cos(turn), flat * std::sin(turn), z);
+  const double reach = radius * std::sqrt(rng.uniform());
+  const double angle = rng.uniform(0, 2 * kPi);
+  const Tangents frame = tangents(direction);
+  origin = center + reach * (std::cos(angle) * frame.u + std::sin(angle) * frame.w) -
+           2 * radius * direction;
+}
+
+void score_tree_surface(const MeshQuery& query, const Tree& tree, int points, const RunContext& run,
+                        TreeScore& score) {
+  const double diagonal = query.mesh().diagonal();
+  const Box3 box = tree.bounds();
+  if (box.is_empty()) return;
+  const TreeRays rays(tree);
+  std::vector<LineSample> lines(static_cast<std::size_t>(points));
+  sample_all(lines.size(), kLineStream, run, [&](std::size_t i, Rng& rng) {
+    Vec3 origin;
+    Vec3 direction;
+    draw_line(box.center(), 0.5 * box.diagonal(), rng, origin, direction);
+    TreeRayScratch scratch;
+    for (const TreeInterval& stretch : rays.cast(origin, direction, scratch)) {
+      for (const TreeCrossing& c : {stretch.enter, stretch.leave}) {
+        lines[i].distances.push_back(query.closest(origin + c.t * direction).distance / diagonal);
+        lines[i].on_polyhedra +=
+            c.literal >= 0 && tree.literals[c.literal].kind == SolidKind::Polyhedron;
+      }
+    }
+  });
+  std::vector<double> distances;
+  std::size_t on_polyhedra = 0;
+  for (const LineSample& line : lines) {
+    distances.insert(distances.end(), line.distances.begin(), line.distances.end());
+    on_polyhedra += line.on_polyhedra;
+  }
+  const Distances from_tree = summarise(distances);
+  score.tree_to_mesh_max = from_tree.largest;
+  score.mean_distance = std::max(score.mean_distance, from_tree.mean);
+  if (!distances.empty()) {
+    score.polyhedron_share =
+        static_cast<double>(on_polyhedra) / static_cast<double>(distances.size());
+  }
+}
+
+void score_mesh_surface(const MeshQuery& query, const Tree& tree, int points, const RunContext& run,
+                        TreeScore& score) {
+  const double diagonal = query.mesh().diagonal();
+  const SurfaceSampler sampler(query.mesh());
+  if (sampler.is_empty()) return;
+  std::vector<double> distances(static_cast<std::size_t>(points));
+  sample_all(distances.size(), kSurfaceStream, run, [&](std::size_t i, Rng& rng) {
+    distances[i] = distance_to_tree(tree, sampler.draw(rng).position, diagonal) / diagonal;
+  });
+  const Distances from_mesh = summarise(distances);
+  score.mesh_to_tree_max = from_mesh.largest;
+  score.mean_distance = from_mesh.mean;
+}
+
+}  // namespace
+
+Result<TreeScore> score_tree(const MeshQuery& query, const Tree& tree,
+                             const VerifySettings& settings, const RunContext& run) {
+  TreeScore score;
+  run.report("verify", 0);
+  score_volume(query, tree, settings.volume_points, run, score);
+  run.report("verify", 0.5);
+  if (!tree.is_empty()) {
+    score_mesh_surface(query, tree, settings.surface_points, run, score);
+    score_tree_surface(query, tree, settings.surface_points, run, score);
+  }
+  if (run.is_cancelled()) return RunContext::cancelled();
+  score.hausdorff = std::max(score.mesh_to_tree_max, score.tree_to_mesh_max);
+  run.report("verify", 1);
+  return score;
+}
+
+}  // namespace hewn

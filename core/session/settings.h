@@ -1,0 +1,45 @@
+#pragma once
+/// Every tunable of a reconstruction in one value.
+#include <vector>
+
+#include "core/fit/surface_set.h"
+#include "core/mesh/load.h"
+#include "core/segment/segment.h"
+#include "core/session/option_io.h"
+#include "core/synth/find_tree.h"
+
+namespace hewn {
+
+/// How a tree is judged against the mesh. See `verify`.
+struct VerifySettings {
+  int volume_points = 30000;
+  int surface_points = 5000;
+};
+
+template <>
+std::span<const OptionField<VerifySettings>> option_table<VerifySettings>();
+
+template <>
+std::span<const OptionField<MeshLoadOptions>> option_table<MeshLoadOptions>();
+
+struct Settings {
+  MeshLoadOptions load;
+  SegmentOptions segment;
+  RegulariseOptions regularise;
+  TreeSearchOptions tree;
+  VerifySettings verify;
+};
+
+/// The option tables of `settings`, in the order of the stages. Valid as long as `settings`.
+std::vector<OptionSection> bind_settings(Settings& settings);
+
+/// {"segment": {...}, ...}.
+nlohmann::json settings_to_json(Settings settings);
+
+/// Sets what `object` names. Fails with InvalidArgument.
+Result<void> settings_from_json(Settings& settings, const nlohmann::json& object);
+
+/// The whole page docs/options.md.
+std::string settings_to_markdown();
+
+}  // namespace hewn
