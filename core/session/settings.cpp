@@ -37,6 +37,8 @@ std::vector<OptionSection> bind_settings(Settings& settings) {
   return {
       {"load", "Reading and repairing the mesh.", bind_options(settings.load)},
       {"segment", "Dividing the mesh into face groups.", bind_options(settings.segment)},
+      {"curvature", "Dividing by curvature (`--segment-method curvature`).",
+       bind_options(settings.segment.curvature)},
       {"regularise", "Cleaning up fitted surfaces.", bind_options(settings.regularise)},
       {"tree", "Finding the tree of one partition. Budgets count steps, never seconds.",
        bind_options(settings.tree)},

@@ -4,6 +4,7 @@
 
 #include "core/fit/surface_set.h"
 #include "core/mesh/load.h"
+#include "core/segment/curvature/curvature_options.h"
 #include "core/segment/segment.h"
 #include "core/session/option_io.h"
 #include "core/synth/find_tree.h"
