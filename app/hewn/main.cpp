@@ -1,0 +1,77 @@
+/// The command line: parses, wires, runs.
+#include <chrono>
+#include <exception>
+#include <memory>
+#include <new>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "app/hewn/commands.h"
+
+namespace hewn {
+namespace {
+
+void wire(Environment& environment) {
+  const RunFlags& flags = environment.flags;
+  environment.run.threads = flags.threads;
+  if (flags.seed) environment.run.seed = *flags.seed;
+  Console* console = environment.console;
+  environment.run.on_progress = [console](const char* stage, double share) {
+    console->progress(stage, share);
+  };
+  environment.run.on_log = [console](const LogEntry& entry) { console->log(entry); };
+  if (flags.time_limit_s > 0) {
+    const std::chrono::duration<double> limit(flags.time_limit_s);
+    environment.run.deadline =
+        std::chrono::steady_clock::now() +
+        std::chrono::duration_cast<std::chrono::steady_clock::duration>(limit);
+  }
+}
+
+ExitCode run_command(const Command& command, const RunFlags& flags) {
+  Environment environment;
+  environment.flags = flags;
+  Console console(flags.is_quiet);
+  Interrupt interrupt(environment.run.cancel);
+  environment.console = &console;
+  environment.interrupt = &interrupt;
+  wire(environment);
+  try {
+    return command(environment);
+  } catch (const std::bad_alloc&) {
+    return environment.fail(
+        {ErrorCode::Internal, "out of memory; try a smaller mesh or fewer sample points"});
+  } catch (const std::exception& bug) {
+    return environment.fail(
+        {ErrorCode::Internal, fmt::format("something inside broke: {}; please report it with the "
+                                          "input",
+                                          bug.what())});
+  }
+}
+
+}  // namespace
+}  // namespace hewn
+
+int main(int argc, char** argv) {
+  CLI::App app{"Turns triangle meshes of CAD parts back into small, exact, editable CSG trees."};
+  app.set_version_flag("--version", "hewn " HEWN_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 done, 1 failed, 2 usage, 3 input not readable, 4 input not usable,\n"
+      "5 output not writable, 130 stopped.");
+  hewn::RunFlags flags;
+  hewn::Command chosen;
+  hewn::add_reconstruct(app, flags, chosen);
+  hewn::add_segment(app, flags, chosen);
+  hewn::add_info(app, flags, chosen);
+  hewn::add_options(app, flags, chosen);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& problem) {
+    const bool is_help = problem.get_exit_code() == 0;
+    app.exit(problem);
+    return static_cast<int>(is_help ? hewn::ExitCode::Done : hewn::ExitCode::Usage);
+  }
+  return static_cast<int>(hewn::run_command(chosen, flags));
+}

@@ -1,0 +1,45 @@
+#pragma once
+/// Runs the real binary, as a user would.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hewn::cli {
+
+struct Outcome {
+  int exit_code = -1;  ///< 128 + n when signal n ended it
+  std::string out, err;
+  double seconds = 0;
+
+  bool says(const std::string& text) const { return err.find(text) != std::string::npos; }
+};
+
+/// Runs `hewn` with these arguments, no terminal and no input; sends SIGINT after
+/// `interrupt_after_s` seconds when that is not negative (`seconds` then counts from there).
+Outcome run_hewn(const std::vector<std::string>& arguments, double interrupt_after_s = -1);
+
+/// A folder of its own for one test, removed at the end.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  /// Writes a file and returns its path.
+  std::string write(const std::string& name, const std::string& content) const;
+  /// Names of the files in it, in order.
+  std::vector<std::string> files() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The content of a file; empty when it is not there.
+std::string content_of(const std::string& path);
+
+/// A cube as OFF text; `size` scales it.
+std::string cube_off(double size = 10);
+
+}  // namespace hewn::cli
