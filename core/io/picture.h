@@ -19,7 +19,7 @@ struct Image {
 
 struct PictureOptions {
   int width = 640, height = 640;
-  int samples = 3;  ///< rays per pixel and direction
+  int samples = 2;  ///< rays per pixel and direction
   bool is_dark = false;
   /// From the part towards the camera, in the part's coordinates.
   Vec3 view = Vec3(0.62, -1, 0.66);

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/segment/edit/bisect.h"
-#include "core/segment/measure_group.h"
+#include "core/segment/edit/merge.h"
 
 namespace hewn {
 namespace {
@@ -69,43 +69,18 @@ class GroupFinder {
   std::shared_ptr<const MeshQuery> query_;
 };
 
-/// Joins the groups into the first of them under that one of their surfaces which fits all best.
-void merge_groups(const Mesh& mesh, Segmentation& segmentation, const std::vector<int>& groups) {
-  FaceGroup best = segmentation.groups[groups.front()];
-  std::vector<int> triangles;
-  for (const int g : groups) {
-    const auto& more = segmentation.groups[g].triangles;
-    triangles.insert(triangles.end(), more.begin(), more.end());
-  }
-  std::sort(triangles.begin(), triangles.end());
-  double best_deviation = kInfinity;
-  for (const int g : groups) {
-    FaceGroup candidate = segmentation.groups[g];
-    candidate.triangles = triangles;
-    measure_group(mesh, candidate);
-    if (candidate.rms_deviation >= best_deviation) continue;
-    best_deviation = candidate.rms_deviation;
-    best = std::move(candidate);
-  }
-  // Close the gaps, so that indices stay dense.
-  segmentation.groups[groups.front()] = std::move(best);
-  std::vector<int> renumbered(segmentation.groups.size());
-  std::vector<FaceGroup> kept;
-  for (std::size_t g = 0; g < segmentation.groups.size(); ++g) {
-    const bool is_gone = std::binary_search(groups.begin() + 1, groups.end(), static_cast<int>(g));
-    renumbered[g] = is_gone ? groups.front() : static_cast<int>(kept.size());
-    if (!is_gone) kept.push_back(std::move(segmentation.groups[g]));
-  }
-  segmentation.groups = std::move(kept);
-  for (int& group : segmentation.group_of_triangle) {
-    if (group >= 0) group = renumbered[group];
-  }
-}
-
 std::vector<int> all_groups(const Segmentation& segmentation) {
   std::vector<int> groups(segmentation.groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) groups[g] = static_cast<int>(g);
   return groups;
+}
+
+/// Takes over what an edit made.
+Result<void> adopt(Result<EditedSegmentation> edited, PreparedMesh& out) {
+  if (!edited) return edited.error();
+  out.mesh = std::make_shared<const Mesh>(std::move(edited->mesh));
+  out.segmentation = std::move(edited->segmentation);
+  return {};
 }
 
 /// Whether a vertex of the groups lies on the cut's plane.
@@ -192,17 +167,17 @@ Result<PreparedMesh> apply_edits(const Project& project, std::shared_ptr<const M
     auto groups = finder.find_all(cut.groups, fmt::format("cuts[{}]", c));
     if (!groups) return groups.error();
     if (groups->empty()) *groups = all_groups(out.segmentation);
-    auto edited =
-        bisect_groups(*out.mesh, out.segmentation, *groups, {cut.normal, cut.offset}, {}, run);
-    if (!edited) return edited.error();
-    out.mesh = std::make_shared<const Mesh>(std::move(edited->mesh));
-    out.segmentation = std::move(edited->segmentation);
+    const CutPlane plane{cut.normal, cut.offset};
+    auto edited = bisect_groups(*out.mesh, out.segmentation, *groups, plane, {}, run);
+    if (auto done = adopt(std::move(edited), out); !done) return done.error();
   }
   for (std::size_t m = 0; m < project.merges.size(); ++m) {
     GroupFinder finder(out.mesh, out.segmentation);
     auto groups = finder.find_all(project.merges[m], fmt::format("merges[{}]", m));
     if (!groups) return groups.error();
-    if (groups->size() > 1) merge_groups(*out.mesh, out.segmentation, *groups);
+    if (groups->size() < 2) continue;
+    auto merged = merge_groups(*out.mesh, out.segmentation, *groups, {}, run);
+    if (auto done = adopt(std::move(merged), out); !done) return done.error();
   }
   out.query = std::make_shared<const MeshQuery>(out.mesh);
   return out;

@@ -72,6 +72,17 @@ Tree polyhedron_tree(std::shared_ptr<const Mesh> mesh) {
   return tree;
 }
 
+/// Whether all vertices lie in one plane.
+bool is_flat(const Mesh& mesh) {
+  const auto largest = std::max_element(mesh.areas.begin(), mesh.areas.end());
+  if (largest == mesh.areas.end()) return true;
+  const auto t = static_cast<int>(largest - mesh.areas.begin());
+  const double reach = 1e-7 * mesh.diagonal();
+  return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const Vec3& v) {
+    return std::abs(mesh.normals[t].dot(v - mesh.corner(t, 0))) <= reach;
+  });
+}
+
 class Reconstructor {
  public:
   Reconstructor(const Project& project, const RunContext& run) : project_(project), run_(run) {
@@ -94,6 +105,14 @@ class Reconstructor {
     if (!loaded) return loaded.error();
     out.report = std::move(loaded->report);
     for (const std::string& warning : out.report.warnings) run_.warn(warning);
+    if (is_flat(loaded->mesh)) {
+      return Error{
+          ErrorCode::BadMesh,
+          fmt::format("the mesh is flat and open ({} triangles in one plane): it bounds no "
+                      "solid; export the whole part",
+                      loaded->mesh.triangles.size()),
+          project_.mesh.string()};
+    }
     out.times.push_back({"load", watch.lap()});
 
     run_.report("segment", 0);

@@ -37,10 +37,11 @@ Distances summarise(const std::vector<double>& values) {
 /// Calls `body(i, rng)` for all i; each chunk has its own random numbers.
 template <class Body>
 void sample_all(std::size_t n, std::uint64_t stream, const RunContext& run, const Body& body) {
-  for_each_chunk(run.threads, n, kChunk, [&](std::size_t begin, std::size_t end) {
+  for_each_index(run.threads, (n + kChunk - 1) / kChunk, [&](std::size_t chunk) {
     if (run.is_cancelled()) return;
-    Rng rng(run.seed, stream + begin / kChunk);
-    for (std::size_t i = begin; i < end; ++i) body(i, rng);
+    Rng rng(run.seed, stream + chunk);
+    const std::size_t end = std::min(n, (chunk + 1) * kChunk);
+    for (std::size_t i = chunk * kChunk; i < end; ++i) body(i, rng);
   });
 }
 

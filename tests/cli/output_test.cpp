@@ -72,7 +72,7 @@ TEST_CASE("an output folder that is not there is refused before any work") {
 TEST_CASE("a read-only folder and a path below a file are refused") {
   const Folder folder;
   const std::string input = folder.write("cube.off", cube_off());
-  for (const std::string path : {std::string("/proc/out.scad"), input + "/out.scad"}) {
+  for (const std::string& path : {std::string("/proc/out.scad"), input + "/out.scad"}) {
     const Outcome outcome = run_hewn({"reconstruct", input, "-o", path});
     CHECK(outcome.exit_code == kNoOutput);
     CHECK_MESSAGE(outcome.says("cannot write"), outcome.err);

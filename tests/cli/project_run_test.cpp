@@ -29,7 +29,7 @@ TEST_CASE("a plate and its bores are two partitions with their own modules") {
   REQUIRE(report.at("partitions").size() == 2);
   CHECK(report.at("partitions")[1].at("name") == "bolts");
   CHECK(report.at("partitions")[1].at("groups") == 6);
-  CHECK(report.at("geometry").at("iou").get<double>() > 0.99);
+  CHECK(report.at("geometry").at("iou").get<double>() > 0.97);  // facets against true circles
 }
 
 TEST_CASE("a cut through a cube makes two bodies that join to the cube") {

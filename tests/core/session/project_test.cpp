@@ -97,7 +97,7 @@ TEST_CASE("what is no project is refused with a reason") {
 TEST_CASE("a mistake deep in a project is named by its path") {
   const Error op = error_of(
       with_partition(R"({"groups": "rest", "children": [{"op": "minus", "groups": [1]}]})"));
-  CHECK(op.where == "partition.children[0]");
+  CHECK(op.where == "partition.children[0].op");
   const Error group = error_of(with_partition(R"({"groups": [{"at": [1, 2]}]})"));
   CHECK(group.where == "partition.groups[0].at");
   const Error empty = error_of(with_partition(R"({"name": "x"})"));
