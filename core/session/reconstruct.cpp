@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/compute/parallel.h"
+#include "core/csg/protrude.h"
 #include "core/segment/segment.h"
 
 namespace hewn {
@@ -145,7 +146,7 @@ class Reconstructor {
     auto partitions = resolve_partitions(project_, out_.prepared, run_);
     if (!partitions) return partitions.error();
     if (auto found = search(*partitions); !found) return found.error();
-    out_.tree = flattened(join(*partitions));
+    out_.tree = with_protruding_tools(flattened(join(*partitions)));
     out_.times.push_back({"search", watch.lap()});
 
     auto score = score_tree(*out_.prepared.query, out_.tree, project_.settings.verify, run_);
