@@ -95,6 +95,13 @@ class TreeSearch {
                    "no face group has a surface that could bound a solid; loosen the fit "
                    "tolerances or segment by curvature"};
     }
+    if (surfaces_.halfspaces.size() > kMaxHalfspaces) {
+      return Error{
+          ErrorCode::NotFound,
+          std::to_string(surfaces_.halfspaces.size()) +
+              " different surfaces are more than a design has: the mesh is free-form or "
+              "noisy; reconstruct its regular parts as partitions or loosen the tolerances"};
+    }
     Result<SampleTable> table =
         build_sample_table(space_, options_.volume_points, surfaces_.halfspace_of_group, run_);
     if (!table) return table.error();
