@@ -13,8 +13,12 @@ constexpr std::size_t kMaxAxisDirections = 40;
 constexpr int kMaxAdded = 40;
 constexpr double kWorthLooking = 5e-4;  // share of conflicting points
 constexpr double kGoodEnough = 3e-4;
-constexpr double kSamePlane = 1e-4;  // of the diagonal
+constexpr double kSamePlane = 1.5e-4;  // of the diagonal
 constexpr double kSameDirection = 1e-4;
+constexpr double kMaxShift = 1.5e-4;  // of the diagonal, by which snapping moves a plane's far end
+constexpr double kMaxTurn = 0.01;     // rad; however small the surface that implies the plane
+constexpr double kAngleStep = kPi / 12;
+constexpr double kExactlyAcross = 1e-12;
 constexpr double kOpenArc = 0.4;  // rad; a smaller gap is a closed turn
 
 /// Collects candidate halfspaces without repeating any.
@@ -24,7 +28,25 @@ class CandidatePool {
       : diagonal_(space.diagonal), surfaces_(&surfaces) {}
 
   void add_plane(const Vec3& normal, double offset) {
-    const int direction = direction_of(normal);
+    add_plane_along(direction_of(normal, kSameDirection), normal, offset);
+  }
+
+  void add_plane_through(const Vec3& normal, const Vec3& point) {
+    add_plane(normal, normal.dot(point));
+  }
+
+  /// A plane that a surface along `axis` implies: across the axis, or containing it. Its normal is
+  /// only as certain as the surface's `extent` tells, so it snaps to a known direction, or to a
+  /// multiple of 15 degrees from one.
+  void add_snapped_plane(const Vec3& normal, const Vec3& point, const Vec3& axis, double extent) {
+    const double shift = kMaxShift * diagonal_;
+    const double turn = std::clamp(shift / std::max(extent, 1e-300), kSameDirection, kMaxTurn);
+    const int direction = direction_of(snapped(normal, axis, turn), turn);
+    const Vec3& snapped_normal = surfaces_->directions[direction];
+    add_plane_along(direction, snapped_normal, snapped_normal.dot(point));
+  }
+
+  void add_plane_along(int direction, const Vec3& normal, double offset) {
     Halfspace h;
     h.is_separating = true;
     h.tolerance = 1e-6 * diagonal_;
@@ -33,10 +55,6 @@ class CandidatePool {
     h.surface.axis = surfaces_->directions[direction];
     h.surface.offset = h.surface.axis.dot(normal) < 0 ? -offset : offset;
     if (!is_known(surfaces_->halfspaces, h) && !is_known(pool_, h)) pool_.push_back(h);
-  }
-
-  void add_plane_through(const Vec3& normal, const Vec3& point) {
-    add_plane(normal, normal.dot(point));
   }
 
   void add_cylinder(const Halfspace& torus) {
@@ -55,13 +73,33 @@ class CandidatePool {
   }
 
  private:
-  int direction_of(const Vec3& normal) {
+  /// The nearest known direction within `turn`, else a new one.
+  int direction_of(const Vec3& normal, double turn) {
     auto& directions = surfaces_->directions;
+    int best = -1;
+    double best_sine = std::sin(turn);
     for (std::size_t i = 0; i < directions.size(); ++i) {
-      if (directions[i].cross(normal).norm() < kSameDirection) return static_cast<int>(i);
+      const double sine = directions[i].cross(normal).norm();
+      if (sine >= best_sine) continue;
+      best_sine = sine;
+      best = static_cast<int>(i);
     }
+    if (best >= 0) return best;
     directions.push_back(normal);
     return static_cast<int>(directions.size()) - 1;
+  }
+
+  /// `normal` turned about `axis` to a multiple of 15 degrees from a known direction across it.
+  Vec3 snapped(const Vec3& normal, const Vec3& axis, double turn) const {
+    for (const Vec3& d : surfaces_->directions) {
+      if (std::abs(d.dot(axis)) > kExactlyAcross) continue;
+      const Vec3 e = axis.cross(d);
+      const double angle = std::atan2(normal.dot(e), normal.dot(d));
+      const double steps = std::round(angle / kAngleStep);
+      if (std::abs(angle - steps * kAngleStep) > turn) continue;
+      return (d * std::cos(steps * kAngleStep) + e * std::sin(steps * kAngleStep)).normalized();
+    }
+    return normal;
   }
 
   bool is_known(const std::vector<Halfspace>& list, const Halfspace& plane) const {
@@ -127,17 +165,22 @@ void add_arc_planes(CandidatePool& pool, const Surface& s, const std::vector<Vec
   const Tangents frame = tangents(s.axis);
   double ends[2];
   if (!find_arc(s, frame, points, ends[0], ends[1])) return;
+  double extent = 0;
+  for (const Vec3& p : points) extent = std::max(extent, s.axis.cross(p - s.point).norm());
   Vec3 rim[2];
   for (int k = 0; k < 2; ++k) {
     const Vec3 outward = frame.u * std::cos(ends[k]) + frame.w * std::sin(ends[k]);
-    pool.add_plane_through(s.axis.cross(outward), s.point);
-    if (s.kind == SurfaceKind::Cylinder) pool.add_plane_through(outward, s.point);
+    pool.add_snapped_plane(s.axis.cross(outward), s.point, s.axis, extent);
+    if (s.kind == SurfaceKind::Cylinder) {
+      pool.add_snapped_plane(outward, s.point, s.axis, extent);
+    }
     rim[k] = s.point + outward * (s.kind == SurfaceKind::Torus ? s.major_radius : s.radius);
   }
   if (s.kind == SurfaceKind::Cone) return;
   const Vec3 chord_normal = s.axis.cross(rim[1] - rim[0]);
   if (chord_normal.norm() > 1e-6 * (rim[1] - rim[0]).norm() && (rim[1] - rim[0]).norm() > 0) {
-    pool.add_plane_through(chord_normal.normalized(), rim[0]);
+    const Vec3 middle = (rim[0] + rim[1]) / 2;
+    pool.add_snapped_plane(chord_normal.normalized(), middle, s.axis, (rim[1] - rim[0]).norm());
   }
 }
 
