@@ -388,12 +388,10 @@ std::vector<std::vector<int>> smooth_components(const FacetGraph& graph, double 
   return components;
 }
 
-Result<std::vector<GrownGroup>> grow_curved_groups(const Mesh& mesh, const FacetGraph& graph,
-                                                   const SurfaceTolerance& tolerance,
-                                                   const SegmentOptions& options,
-                                                   std::vector<int>& group_of_facet,
-                                                   const RunContext& run) {
-  std::vector<GrownGroup> groups;
+Result<void> grow_curved_groups(const Mesh& mesh, const FacetGraph& graph,
+                                const SurfaceTolerance& tolerance, const SegmentOptions& options,
+                                std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet,
+                                const RunContext& run) {
   CurvedGrower grower(mesh, graph, tolerance, options, group_of_facet);
   std::size_t done = 0;
   const auto components = smooth_components(graph, options.smooth_angle_deg * kPi / 180);
@@ -404,7 +402,7 @@ Result<std::vector<GrownGroup>> grow_curved_groups(const Mesh& mesh, const Facet
     if (!grown) return grown.error();
     run.report("segment", static_cast<double>(done) / graph.size());
   }
-  return groups;
+  return {};
 }
 
 }  // namespace hewn

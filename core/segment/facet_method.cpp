@@ -5,6 +5,7 @@
 #include "core/fit/gauss_newton.h"
 #include "core/segment/curved_growth.h"
 #include "core/segment/leftovers.h"
+#include "core/segment/plane_rings.h"
 #include "core/segment/polish.h"
 
 namespace hewn {
@@ -119,9 +120,15 @@ Result<Attempt> attempt(const Mesh& mesh, const std::vector<std::array<int, 3>>&
   a.tolerance.is_resampled = a.graph.interior_share > kResampledShare;
   if (run.is_cancelled()) return RunContext::cancelled();
   a.group_of.assign(a.graph.facets.size(), -1);
-  auto grown = grow_curved_groups(mesh, a.graph, a.tolerance, options, a.group_of, run);
+  if (a.tolerance.is_resampled) {
+    const Result<void> rings =
+        take_plane_rings(mesh, a.graph, a.tolerance, options.smooth_angle_deg * kPi / 180, a.groups,
+                         a.group_of, run);
+    if (!rings) return rings.error();
+  }
+  const Result<void> grown =
+      grow_curved_groups(mesh, a.graph, a.tolerance, options, a.groups, a.group_of, run);
   if (!grown) return grown.error();
-  a.groups = std::move(*grown);
   absorb_slivers(mesh, a.graph, a.tolerance, a.groups, a.group_of);
   adopt_facets(mesh, a.graph, a.tolerance, a.groups, a.group_of);
   const Result<void> planes =
