@@ -2,7 +2,8 @@
 ///
 ///   end_to_end [--threads N] [--seed N] [--out DIR] [--set OPTION=NUMBER] MESH...
 ///
-/// `--set` takes the options of the tree search, for measuring what each is worth.
+/// `--set` takes the options of the tree search, for measuring what each is worth. The last line
+/// has the sums and the peak memory.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include "core/fit/surface_set.h"
 #include "core/io/openscad.h"
@@ -52,6 +54,13 @@ bool set_option(TreeSearchOptions& options, const std::string& assignment) {
     return true;
   }
   return false;
+}
+
+/// The most memory that was resident at once, in MB.
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts in KB
 }
 
 struct Setup {
@@ -136,6 +145,7 @@ int main(int argc, char** argv) {
       ++failed;
     }
   }
-  fmt::print("{} parts, {} literals, {:.2f} s\n", totals.parts, totals.literals, totals.seconds);
+  fmt::print("{} parts, {} literals, {:.2f} s, {:.0f} MB\n", totals.parts, totals.literals,
+             totals.seconds, hewn::peak_memory_mb());
   return failed == 0 ? 0 : 1;
 }
