@@ -37,8 +37,8 @@ TEST_CASE("every instruction set counts the same bits") {
       CHECK(kernels->count_and(a.data(), b.data(), words) == both);
       CHECK(kernels->count_xor(a.data(), b.data(), words) == differ);
       CHECK(kernels->count(a.data(), words) == kernels->count_and(a.data(), a.data(), words));
-      const Word* const columns[] = {c.data(), a.data()};
-      CommonCounts counts[2];
+      const std::vector<const Word*> columns{c.data(), a.data()};
+      std::vector<CommonCounts> counts(2);
       kernels->count_common(a.data(), b.data(), columns, words, counts);
       CHECK(counts[0].a == with_a);
       CHECK(counts[0].b == with_b);
