@@ -12,6 +12,9 @@
 namespace hewn {
 namespace {
 
+/// Of the diagonal: solids closer than this touch. Exported numbers are no finer.
+constexpr double kTouching = 1e-6;
+
 constexpr std::size_t kChunk = 512;
 constexpr std::uint64_t kVolumeStream = 0x700000;
 constexpr std::uint64_t kSurfaceStream = 0x800000;
@@ -118,6 +121,22 @@ void draw_line(const Vec3& center, double radius, Rng& rng, Vec3& origin, Vec3& 
            2 * radius * direction;
 }
 
+/// Joins stretches that touch but for rounding, and drops those as short as rounding: abutting
+/// solids have no surface between them.
+void join_touching(std::vector<TreeInterval>& stretches, double rounding) {
+  std::size_t kept = 0;
+  for (const TreeInterval& s : stretches) {
+    if (kept > 0 && s.enter.t - stretches[kept - 1].leave.t <= rounding) {
+      stretches[kept - 1].leave = s.leave;
+    } else {
+      stretches[kept++] = s;
+    }
+  }
+  stretches.resize(kept);
+  std::erase_if(stretches,
+                [rounding](const TreeInterval& s) { return s.leave.t - s.enter.t <= rounding; });
+}
+
 void score_tree_surface(const MeshQuery& query, const Tree& tree, int points, const RunContext& run,
                         TreeScore& score) {
   const double diagonal = query.mesh().diagonal();
@@ -130,7 +149,9 @@ void score_tree_surface(const MeshQuery& query, const Tree& tree, int points, co
     Vec3 direction;
     draw_line(box.center(), 0.5 * box.diagonal(), rng, origin, direction);
     TreeRayScratch scratch;
-    for (const TreeInterval& stretch : rays.cast(origin, direction, scratch)) {
+    std::vector<TreeInterval> stretches = rays.cast(origin, direction, scratch);
+    join_touching(stretches, kTouching * diagonal);
+    for (const TreeInterval& stretch : stretches) {
       for (const TreeCrossing& c : {stretch.enter, stretch.leave}) {
         lines[i].distances.push_back(query.closest(origin + c.t * direction).distance / diagonal);
         lines[i].on_polyhedra +=
