@@ -101,13 +101,33 @@ class SetBuilder {
         h.facets = detect_tessellation(h.surface, groups_[k], mesh_, segmentation_);
       }
     }
-    double explained = 0;
-    for (const Halfspace& h : set_.halfspaces) explained += h.area;
-    set_.unexplained_area = std::clamp(1 - explained / mesh_.total_area, 0.0, 1.0);
+    set_.unexplained_area = std::clamp(1 - explained_area() / mesh_.total_area, 0.0, 1.0);
     return std::move(set_);
   }
 
  private:
+  /// Of the triangles that lie on a surface that was fitted to them.
+  double explained_area() const {
+    double explained = 0;
+    for (std::size_t k = 0; k < set_.halfspaces.size(); ++k) {
+      for (const int g : groups_[k]) {
+        const FaceGroup& group = segmentation_.groups[g];
+        if (!group.is_fitted) continue;
+        for (const int t : group.triangles) {
+          if (lies_on(set_.halfspaces[k].surface, t)) explained += mesh_.areas[t];
+        }
+      }
+    }
+    return explained;
+  }
+
+  bool lies_on(const Surface& s, int t) const {
+    const double limit = kMaxTolerance * mesh_.diagonal();
+    return std::all_of(mesh_.triangles[t].begin(), mesh_.triangles[t].end(), [&](int v) {
+      return std::abs(s.signed_distance(mesh_.vertices[v])) <= limit;
+    });
+  }
+
   void measure(Halfspace& h, const std::vector<int>& groups) const {
     double worst = 0, sum = 0, area = 0;
     for (const int g : groups) {

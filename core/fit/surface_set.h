@@ -32,7 +32,9 @@ struct SurfaceSet {
   std::vector<Vec3> directions;  ///< unit; those along a coordinate axis are exactly unit vectors
   std::vector<Halfspace> halfspaces;
   std::vector<int> halfspace_of_group;  ///< -1: the group is too small or unexplained
-  double unexplained_area = 0;          ///< share of the mesh's surface on no halfspace, [0, 1]
+  /// Share of the mesh's surface, [0, 1], that no fitted surface explains: triangles on no
+  /// halfspace, of free-form patches, or further off than any tessellation.
+  double unexplained_area = 0;
 };
 
 struct RegulariseOptions {

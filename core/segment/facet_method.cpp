@@ -116,7 +116,7 @@ Result<Attempt> attempt(const Mesh& mesh, const std::vector<std::array<int, 3>>&
       std::max(a.tolerance.eps, looseness * options.vertex_tolerance * mesh.diagonal());
   const double plane =
       std::max(std::min(2.0, looseness) * options.plane_tolerance * mesh.diagonal(), 4.5 * noise);
-  a.graph = build_facets(mesh, neighbors, {plane, noise});
+  a.graph = build_facets(mesh, neighbors, {plane, noise}, run);
   a.tolerance.is_resampled = a.graph.interior_share > kResampledShare;
   if (run.is_cancelled()) return RunContext::cancelled();
   a.group_of.assign(a.graph.facets.size(), -1);
@@ -130,15 +130,17 @@ Result<Attempt> attempt(const Mesh& mesh, const std::vector<std::array<int, 3>>&
       grow_curved_groups(mesh, a.graph, a.tolerance, options, a.groups, a.group_of, run);
   if (!grown) return grown.error();
   absorb_slivers(mesh, a.graph, a.tolerance, a.groups, a.group_of);
-  adopt_facets(mesh, a.graph, a.tolerance, a.groups, a.group_of);
+  adopt_facets(mesh, a.graph, a.tolerance, a.groups, a.group_of, run);
   const Result<void> planes =
       plane_leftovers(mesh, a.graph, a.tolerance, a.groups, a.group_of, run);
   if (!planes) return planes.error();
   // The second round profits from the better fits of the first.
   for (int round = 0; round < 2 && a.tolerance.is_resampled; ++round) {
-    merge_pieces(mesh, a.graph, a.tolerance, a.groups, a.group_of);
+    merge_pieces(mesh, a.graph, a.tolerance, a.groups, a.group_of, run);
   }
+  if (run.is_cancelled()) return RunContext::cancelled();
   dissolve_splinters(mesh, a.graph, a.tolerance, a.groups, a.group_of);
+  if (run.is_cancelled()) return RunContext::cancelled();
   polish_groups(mesh, a);
   return a;
 }
@@ -203,7 +205,7 @@ Result<Segmentation> segment_by_facets(const Mesh& mesh, const SegmentOptions& o
   run.report("segment", 0);
   const auto neighbors = triangle_neighbors(mesh);
   const double noise =
-      options.noise > 0 ? options.noise * mesh.diagonal() : estimate_noise(mesh, neighbors);
+      options.noise > 0 ? options.noise * mesh.diagonal() : estimate_noise(mesh, neighbors, run);
   if (run.is_cancelled()) return RunContext::cancelled();
   Result<Attempt> best = attempt(mesh, neighbors, noise, 1, options, run);
   if (!best) return best.error();

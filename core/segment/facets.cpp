@@ -45,13 +45,14 @@ class FacetMerger {
     visited_.assign(n, -1);
   }
 
-  std::vector<int> run(std::vector<Facet>& facets) {
+  std::vector<int> merge(std::vector<Facet>& facets, const RunContext& run) {
     std::vector<int> order(mesh_.triangles.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
                      [&](int a, int b) { return mesh_.areas[a] > mesh_.areas[b]; });
     for (const int seed : order) {
       if (facet_of_[seed] >= 0) continue;
+      if (run.is_cancelled()) break;
       Facet facet = grow(seed);
       for (const int t : facet.triangles) facet_of_[t] = static_cast<int>(facets.size());
       std::sort(facet.triangles.begin(), facet.triangles.end());
@@ -307,9 +308,9 @@ void FacetGraph::collect_neighbors(const Mesh& mesh,
 }
 
 FacetGraph build_facets(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors,
-                        const FacetTolerance& tolerance) {
+                        const FacetTolerance& tolerance, const RunContext& run) {
   FacetGraph graph;
-  graph.facet_of_triangle = FacetMerger(mesh, neighbors, tolerance).run(graph.facets);
+  graph.facet_of_triangle = FacetMerger(mesh, neighbors, tolerance).merge(graph.facets, run);
   graph.collect_vertices(mesh);
   graph.collect_corners(mesh, neighbors);
   graph.collect_neighbors(mesh, neighbors);
@@ -349,15 +350,16 @@ double coordinate_rounding(const Mesh& mesh) {
   return is_single ? uniform * std::ldexp(1.0, std::ilogb(largest) - 23) : 0;
 }
 
-double estimate_noise(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors) {
+double estimate_noise(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors,
+                      const RunContext& run) {
   constexpr double kLoosePlane = 6e-5;  // jitter of 1e-5 stays within
   constexpr double kLooseNoise = 1e-5;
   constexpr double kRounding = 2e-8;
   const double diagonal = mesh.diagonal();
   const FacetGraph graph =
-      build_facets(mesh, neighbors, {kLoosePlane * diagonal, kLooseNoise * diagonal});
+      build_facets(mesh, neighbors, {kLoosePlane * diagonal, kLooseNoise * diagonal}, run);
   std::vector<Residual> residuals;
-  for (int f = 0; f < graph.size(); ++f) {
+  for (int f = 0; f < graph.size() && !run.is_cancelled(); ++f) {
     const Residual r = plane_residual(mesh, graph.vertices(f));
     if (r.freedom > 0) residuals.push_back(r);
   }

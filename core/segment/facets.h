@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/run_context.h"
 #include "core/fit/face_groups.h"
 #include "core/mesh/mesh.h"
 
@@ -48,7 +49,7 @@ struct FacetGraph {
 
  private:
   friend FacetGraph build_facets(const Mesh&, const std::vector<std::array<int, 3>>&,
-                                 const FacetTolerance&);
+                                 const FacetTolerance&, const RunContext&);
   template <class T>
   static std::span<const T> slice(const std::vector<T>& all, const std::vector<int>& begin, int i) {
     return {all.data() + begin[i], static_cast<std::size_t>(begin[i + 1] - begin[i])};
@@ -61,9 +62,10 @@ struct FacetGraph {
   std::vector<FacetNeighbor> neighbors_;
 };
 
-/// Merges coplanar neighbours, largest triangles first. Cost: O(n log n).
+/// Merges coplanar neighbours, largest triangles first. Cost: O(n log n). Incomplete when
+/// cancelled.
 FacetGraph build_facets(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors,
-                        const FacetTolerance& tolerance);
+                        const FacetTolerance& tolerance, const RunContext& run = {});
 
 /// Standard deviation of the coordinates' own rounding, model units: of single precision when every
 /// coordinate is one, of the decimal digits when all have at most seven; 0 when neither shows.
@@ -71,7 +73,8 @@ double coordinate_rounding(const Mesh& mesh);
 
 /// Estimates the standard deviation of the vertices about the planes and surfaces they were sampled
 /// from, model units: the pooled residual of planes fitted to overdetermined facets. Never below
-/// the rounding of the coordinates.
-double estimate_noise(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors);
+/// the rounding of the coordinates. Meaningless when cancelled.
+double estimate_noise(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors,
+                      const RunContext& run = {});
 
 }  // namespace hewn

@@ -13,6 +13,13 @@ constexpr double kMaxTurn = 0.5;     // radians, across a rim inside a flat patc
 constexpr double kMaxTilt = 0.06;    // radians, of a facet that is not small
 constexpr double kSmallArea = 1e-5;  // may be tilted: its corners decide
 constexpr double kMinSeedCosine = 0.99;
+constexpr double kMainShare = 0.5;  // of the group's area
+
+double area_of(const FacetGraph& graph, const GrownGroup& group) {
+  double area = 0;
+  for (const int f : group.facets) area += graph.facets[f].area;
+  return area;
+}
 
 class PlaneCollector {
  public:
@@ -34,7 +41,10 @@ class PlaneCollector {
       if (group.facets.size() > 1) fitter_.refine(group.surface, group.facets, {4, false, 0});
       if (group.surface.axis.dot(graph_.facets[seed].normal) < kMinSeedCosine) break;
     }
-    if (group.facets.size() == 1) group.surface = plane_of(seed);
+    // What is small must not tilt the one large facet that it joins.
+    if (graph_.facets[seed].area >= kMainShare * area_of(graph_, group)) {
+      group.surface = plane_of(seed);
+    }
     return group;
   }
 
@@ -117,12 +127,6 @@ bool belongs(const FacetShape& shape, const Mesh& mesh, const FacetGraph& graph,
 }
 
 constexpr double kPiecePlane = 0.01;  // of the mesh's area: larger planes are no pieces
-
-double area_of(const FacetGraph& graph, const GrownGroup& group) {
-  double area = 0;
-  for (const int f : group.facets) area += graph.facets[f].area;
-  return area;
-}
 
 /// Drops groups without facets and renumbers.
 void compact_groups(std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet) {
@@ -257,11 +261,12 @@ void absorb_slivers(const Mesh& mesh, const FacetGraph& graph, const SurfaceTole
 }
 
 void adopt_facets(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
-                  std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet) {
+                  std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet,
+                  const RunContext& run) {
   const FacetFitter fitter(mesh, graph, tolerance);
   std::vector<FacetShape> shapes;
   for (const GrownGroup& group : groups) shapes.push_back(shape_of(group, graph, fitter));
-  for (int f = 0; f < graph.size(); ++f) {
+  for (int f = 0; f < graph.size() && !run.is_cancelled(); ++f) {
     if (group_of_facet[f] >= 0 || fitter.is_tiny(f)) continue;
     for (std::size_t g = 0; g < groups.size(); ++g) {
       if (shapes[g].sagitta < 2 * tolerance.eps) continue;
@@ -274,14 +279,15 @@ void adopt_facets(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolera
 }
 
 void merge_pieces(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
-                  std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet) {
+                  std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet,
+                  const RunContext& run) {
   FacetFitter fitter(mesh, graph, tolerance);
   std::vector<double> areas;
   for (const GrownGroup& group : groups) areas.push_back(area_of(graph, group));
   std::vector<int> order(groups.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return areas[a] > areas[b]; });
-  for (std::size_t i = 0; i < order.size(); ++i) {
+  for (std::size_t i = 0; i < order.size() && !run.is_cancelled(); ++i) {
     GrownGroup& whole = groups[order[i]];
     if (whole.facets.empty() || whole.surface.kind == SurfaceKind::Plane) continue;
     const FacetShape shape = shape_of(whole, graph, fitter);

@@ -13,9 +13,11 @@ void absorb_slivers(const Mesh& mesh, const FacetGraph& graph, const SurfaceTole
                     std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet);
 
 /// Gives free facets to a curved group found elsewhere when they are facets of its tessellation:
-/// other faces may cut a surface into pieces too small to be recognised on their own.
+/// other faces may cut a surface into pieces too small to be recognised on their own. Stops when
+/// cancelled.
 void adopt_facets(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
-                  std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet);
+                  std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet,
+                  const RunContext& run);
 
 /// Turns every free facet into a plane, largest first, together with free neighbours that are
 /// coplanar but for noise.
@@ -24,9 +26,11 @@ Result<void> plane_leftovers(const Mesh& mesh, const FacetGraph& graph,
                              std::vector<int>& group_of_facet, const RunContext& run);
 
 /// Joins groups that lie within the depth of a larger curved group's facets to it, and refits it.
-/// For resampled meshes only: there one surface is often found in several pieces.
+/// For resampled meshes only: there one surface is often found in several pieces. Stops when
+/// cancelled.
 void merge_pieces(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
-                  std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet);
+                  std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet,
+                  const RunContext& run);
 
 /// Dissolves small groups whose normals mean nothing, for the noise or because a resampled mesh's
 /// triangles straddle an edge, into neighbours on whose surfaces they lie.

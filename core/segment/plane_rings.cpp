@@ -10,13 +10,14 @@
 namespace hewn {
 namespace {
 
-constexpr std::size_t kFlatTriangles = 4;  // a facet with fewer may lie across an edge
-constexpr int kMaxBridge = 2;              // facets across edges between two flat ones
-constexpr double kMinStep = 0.02;          // radians between the planes of one cylinder
-constexpr double kAcross = 0.01;           // radians, of a plane from the axis
-constexpr double kSteady = 0.3;            // largest difference of steps, against the seed's
-constexpr double kTangent = 0.15;          // planes off the inscribed circle, against the depth
-constexpr double kMaxDepth = 4e-3;         // share of the diagonal
+constexpr std::size_t kFlatTriangles = 2;    // a facet with fewer lies across an edge
+constexpr std::size_t kBridgeTriangles = 4;  // and with fewer than these it may
+constexpr int kMaxBridge = 2;                // facets across edges between two flat ones
+constexpr double kMinStep = 0.02;            // radians between the planes of one cylinder
+constexpr double kAcross = 0.01;             // radians, of a plane from the axis
+constexpr double kSteady = 0.3;              // largest difference of steps, against the seed's
+constexpr double kTangent = 0.15;            // planes off the inscribed circle, against the depth
+constexpr double kMaxDepth = 4e-3;           // share of the diagonal
 constexpr std::size_t kMinPlanes = 4;
 constexpr std::size_t kMaxLinks = 24;  // of one facet, nearest first
 
@@ -86,11 +87,8 @@ class RingFinder {
           if (other.normal.isZero()) continue;
           const double turn = angle_between(graph_.facets[from].normal, other.normal);
           if (turn > smooth_rad_ * 1.1) continue;
-          if (!is_flat(n.facet)) {
-            next.push_back(n.facet);
-          } else if (turn > kMinStep) {
-            links_[from].push_back({n.facet, turn});
-          }
+          if (other.triangles.size() < kBridgeTriangles) next.push_back(n.facet);
+          if (is_flat(n.facet) && turn > kMinStep) links_[from].push_back({n.facet, turn});
         }
       }
       ring = std::move(next);
