@@ -33,7 +33,7 @@ class BitProgram {
  public:
   /// Words evaluated at a time: small enough for all intermediate results to stay in the first
   /// cache, large enough to hide the cost of decoding a step. A multiple of `kWordBlock`.
-  static constexpr std::size_t kBlockWords = 64;
+  static constexpr std::size_t kBlockWords = 128;
 
   /// Pushes a column's value. Requires: `column >= 0`.
   void push_column(int column);
