@@ -137,10 +137,7 @@ class Reconstructor {
     out_.times = std::move(segmented->times);
 
     StopWatch watch;
-    auto surfaces = regularise(*out_.prepared.mesh, out_.prepared.segmentation,
-                               project_.settings.regularise, run_);
-    if (!surfaces) return surfaces.error();
-    out_.surfaces = std::move(*surfaces);
+    if (auto regular = regularise_groups(); !regular) return regular.error();
     out_.times.push_back({"regularise", watch.lap()});
 
     auto partitions = resolve_partitions(project_, out_.prepared, run_);
@@ -157,6 +154,23 @@ class Reconstructor {
   }
 
  private:
+  /// A mesh in more pieces than any design has is free-form: it gets no halfspaces, and the search
+  /// then keeps it as a polyhedron.
+  Result<void> regularise_groups() {
+    constexpr std::size_t kMaxGroups = 8000;
+    const Segmentation& segmentation = out_.prepared.segmentation;
+    if (segmentation.groups.size() > kMaxGroups) {
+      out_.surfaces.halfspace_of_group.assign(segmentation.groups.size(), -1);
+      out_.surfaces.unexplained_area = 1;
+      return {};
+    }
+    auto surfaces =
+        regularise(*out_.prepared.mesh, segmentation, project_.settings.regularise, run_);
+    if (!surfaces) return surfaces.error();
+    out_.surfaces = std::move(*surfaces);
+    return {};
+  }
+
   /// Finds the tree of every partition that has groups, side by side.
   Result<void> search(const std::vector<Partition>& partitions) {
     for (std::size_t p = 0; p < partitions.size(); ++p) {
