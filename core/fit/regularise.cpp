@@ -13,6 +13,7 @@ constexpr double kMinConeAngle = kPi / 180;  // flatter flanks are cylinders
 constexpr double kMaxTolerance = 4e-3;       // shares of the diagonal
 constexpr double kMinTolerance = 1e-5;
 constexpr double kSameAngle = 0.003;  // radians, of merged cones
+constexpr double kMaxWedge = 0.05;    // radians between surfaces that one may take for another
 
 /// A cone so steep that it is a cylinder of its mean radius.
 void replace_steep_cone(FitItem& item) {
@@ -70,6 +71,8 @@ class SetBuilder {
       const bool comparable = h.surface.kind == item.surface.kind && h.direction == item.direction;
       if (comparable && is_same(h.surface, item.surface, reach_)) found = k;
     }
+    const bool is_new = found < 0;
+    if (is_new) found = find_close(item);
     if (found < 0) {
       found = static_cast<int>(set_.halfspaces.size());
       Halfspace h;
@@ -78,7 +81,7 @@ class SetBuilder {
       set_.halfspaces.push_back(h);
       groups_.push_back({});
       sigma_.push_back(item.sigma);
-    } else if (item.sigma < 0.1 * sigma_[found]) {
+    } else if (!is_new && item.sigma < 0.1 * sigma_[found]) {
       set_.halfspaces[found].surface = item.surface;
       sigma_[found] = item.sigma;
     }
@@ -87,8 +90,8 @@ class SetBuilder {
     groups_[found].push_back(item.group);
   }
 
-  SurfaceSet finish(std::vector<Vec3> directions) {
-    set_.directions = std::move(directions);
+  SurfaceSet finish(const std::vector<Vec3>& directions) {
+    keep_used(directions);
     for (std::size_t k = 0; k < set_.halfspaces.size(); ++k) {
       measure(set_.halfspaces[k], groups_[k]);
       Halfspace& h = set_.halfspaces[k];
@@ -106,26 +109,58 @@ class SetBuilder {
   }
 
  private:
+  /// A larger surface of the same kind that the whole group lies on within reach: what lay between
+  /// both would be thinner than any wall.
+  int find_close(const FitItem& item) const {
+    const FaceGroup& group = segmentation_.groups[item.group];
+    for (int k = 0; k < static_cast<int>(set_.halfspaces.size()); ++k) {
+      const Surface& s = set_.halfspaces[k].surface;
+      if (s.kind != item.surface.kind || set_.halfspaces[k].area < group.area) continue;
+      const double cosine = s.gradient(item.center).dot(item.surface.gradient(item.center));
+      if (std::abs(cosine) < std::cos(kMaxWedge)) continue;
+      const bool is_close = std::all_of(group.triangles.begin(), group.triangles.end(),
+                                        [&](int t) { return is_within(s, t, reach_); });
+      if (is_close) return k;
+    }
+    return -1;
+  }
+
+  bool is_within(const Surface& s, int t, double limit) const {
+    return std::all_of(mesh_.triangles[t].begin(), mesh_.triangles[t].end(), [&](int v) {
+      return std::abs(s.signed_distance(mesh_.vertices[v])) <= limit;
+    });
+  }
+
+  /// Drops directions that only merged surfaces had.
+  void keep_used(const std::vector<Vec3>& directions) {
+    std::vector<int> index(directions.size(), -1);
+    for (const Halfspace& h : set_.halfspaces) {
+      if (h.direction >= 0) index[h.direction] = 0;
+    }
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+      if (index[k] < 0) continue;
+      index[k] = static_cast<int>(set_.directions.size());
+      set_.directions.push_back(directions[k]);
+    }
+    for (Halfspace& h : set_.halfspaces) {
+      if (h.direction >= 0) h.direction = index[h.direction];
+    }
+  }
+
   /// Of the triangles that lie on a surface that was fitted to them.
   double explained_area() const {
+    const double limit = kMaxTolerance * mesh_.diagonal();
     double explained = 0;
     for (std::size_t k = 0; k < set_.halfspaces.size(); ++k) {
       for (const int g : groups_[k]) {
         const FaceGroup& group = segmentation_.groups[g];
         if (!group.is_fitted) continue;
         for (const int t : group.triangles) {
-          if (lies_on(set_.halfspaces[k].surface, t)) explained += mesh_.areas[t];
+          if (is_within(set_.halfspaces[k].surface, t, limit)) explained += mesh_.areas[t];
         }
       }
     }
     return explained;
-  }
-
-  bool lies_on(const Surface& s, int t) const {
-    const double limit = kMaxTolerance * mesh_.diagonal();
-    return std::all_of(mesh_.triangles[t].begin(), mesh_.triangles[t].end(), [&](int v) {
-      return std::abs(s.signed_distance(mesh_.vertices[v])) <= limit;
-    });
   }
 
   void measure(Halfspace& h, const std::vector<int>& groups) const {
@@ -181,14 +216,14 @@ Result<SurfaceSet> regularise(const Mesh& mesh, const Segmentation& segmentation
   std::vector<FitItem> items = collect_items(mesh, segmentation, options.keep_free_form);
   if (run.is_cancelled()) return RunContext::cancelled();
   for (FitItem& item : items) replace_steep_cone(item);
-  std::vector<Vec3> directions = assign_directions(items, diagonal, options);
+  const std::vector<Vec3> directions = assign_directions(items, diagonal, options);
   settle_positions(items, directions, diagonal, segmentation.noise, options);
   settle_sizes(items, diagonal, segmentation.noise, options);
   if (run.is_cancelled()) return RunContext::cancelled();
   SetBuilder builder(mesh, segmentation, options.snap_distance * diagonal);
   for (const FitItem& item : items) builder.add(item);
   run.report("regularise", 1);
-  return builder.finish(std::move(directions));
+  return builder.finish(directions);
 }
 
 }  // namespace hewn

@@ -14,6 +14,8 @@ namespace hewn {
 struct GrownGroup {
   Surface surface;
   std::vector<int> facets;
+  /// The surface follows from the facets' planes; fits to vertices would only spoil it.
+  bool is_settled = false;
 };
 
 /// Grows curved groups in every smooth component of the facet graph. `group_of_facet` (-1: free)

@@ -99,7 +99,7 @@ void polish_groups(const Mesh& mesh, Attempt& a) {
   a.tolerance.noise = std::max(a.tolerance.noise,
                                noise_on_curves(mesh, a.groups, fitter, kRounded * mesh.diagonal()));
   for (GrownGroup& group : a.groups) {
-    if (group.surface.kind == SurfaceKind::Plane) continue;
+    if (group.surface.kind == SurfaceKind::Plane || group.is_settled) continue;
     std::vector<Vec3> points;
     for (const int v : fitter.corner_indices(group.facets)) points.push_back(mesh.vertices[v]);
     polish_on_envelope(group.surface, points, a.tolerance);

@@ -304,7 +304,7 @@ void merge_pieces(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolera
       piece.facets.clear();
       has_grown = true;
     }
-    if (has_grown) fitter.refine(whole.surface, whole.facets, {8, false, 0});
+    if (has_grown && !whole.is_settled) fitter.refine(whole.surface, whole.facets, {8, false, 0});
   }
   compact_groups(groups, group_of_facet);
 }

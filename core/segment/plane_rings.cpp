@@ -16,6 +16,7 @@ constexpr int kMaxBridge = 2;                // facets across edges between two 
 constexpr double kMinStep = 0.02;            // radians between the planes of one cylinder
 constexpr double kAcross = 0.01;             // radians, of a plane from the axis
 constexpr double kSteady = 0.3;              // largest difference of steps, against the seed's
+constexpr double kRegular = 0.02;            // spread of steps, against the step
 constexpr double kTangent = 0.15;            // planes off the inscribed circle, against the depth
 constexpr double kMaxDepth = 4e-3;           // share of the diagonal
 constexpr std::size_t kMinPlanes = 4;
@@ -33,6 +34,7 @@ struct Ring {
   Vec3 center = Vec3::Zero();
   double radius = 0;  ///< inscribed; negative when the normals point inwards
   double step_rad = 0;
+  bool is_regular = false;  ///< all steps are the same
   std::vector<int> facets;
 
   double circumscribed() const { return std::abs(radius) / std::cos(step_rad / 2); }
@@ -216,9 +218,10 @@ class RingFinder {
       if (nearest < kInfinity) steps.push_back(nearest);
     }
     if (steps.size() < kMinPlanes) return false;
-    std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2),
-                     steps.end());
+    std::sort(steps.begin(), steps.end());
     ring.step_rad = steps[steps.size() / 2];
+    const double spread = steps[steps.size() * 3 / 4] - steps[steps.size() / 4];
+    ring.is_regular = spread < kRegular * ring.step_rad;
     return true;
   }
 
@@ -243,6 +246,7 @@ class RingFinder {
     group.surface.point = ring.center;
     group.surface.radius = ring.circumscribed();
     group.facets = ring.facets;
+    group.is_settled = ring.is_regular;
     const int id = static_cast<int>(groups_.size());
     for (const int f : group.facets) group_of_[f] = id;
     for (std::size_t i = 0; i < group.facets.size(); ++i) {

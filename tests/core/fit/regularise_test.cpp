@@ -143,6 +143,52 @@ TEST_CASE("no snap moves a surface away from the mesh by more than it may") {
   }
 }
 
+/// A plane group of the given triangles.
+FaceGroup plane_group(const Mesh& mesh, std::vector<int> triangles) {
+  FaceGroup group;
+  group.surface.axis = mesh.normals[triangles[0]];
+  group.surface.offset = group.surface.axis.dot(mesh.corner(triangles[0], 0));
+  for (const int t : triangles) group.area += mesh.areas[t];
+  group.triangles = std::move(triangles);
+  return group;
+}
+
+TEST_CASE("a wedge thinner than any wall is closed, a thicker one kept") {
+  for (const double drop : {1e-4, 1e-3}) {
+    CAPTURE(drop);
+    // A square and a narrow strip along its side that turns down a little.
+    const std::vector<Vec3> vertices = {{0, 0, 0}, {0.9, 0, 0},   {0.9, 1, 0},
+                                        {0, 1, 0}, {1, 0, -drop}, {1, 1, -drop}};
+    const Mesh mesh = make_mesh(vertices, {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}});
+    Segmentation s;
+    s.groups = {plane_group(mesh, {0, 1}), plane_group(mesh, {2, 3})};
+    s.group_of_triangle = {0, 0, 1, 1};
+    const RunContext run;
+    const Result<SurfaceSet> set = regularise(mesh, s, {}, run);
+    REQUIRE(set.has_value());
+    check_invariants(*set);
+    const std::size_t expected = drop < 1.5e-4 * mesh.diagonal() ? 1 : 2;
+    CHECK(set->halfspaces.size() == expected);
+    CHECK(set->directions.size() == expected);
+    CHECK(same(set->halfspaces[0].surface.axis, Vec3::UnitZ()));
+    CHECK(set->halfspace_of_group[1] == static_cast<int>(expected) - 1);
+  }
+}
+
+TEST_CASE("planes of a free-form patch count as unexplained") {
+  const Mesh mesh = solids::box(Vec3::Zero(), Vec3::Ones());
+  const RunContext run;
+  Result<Segmentation> s = segment(mesh, {}, run);
+  REQUIRE(s.has_value());
+  Result<SurfaceSet> set = regularise(mesh, *s, {}, run);
+  REQUIRE(set.has_value());
+  CHECK(set->unexplained_area < 1e-12);
+  s->groups[0].is_fitted = false;
+  set = regularise(mesh, *s, {}, run);
+  REQUIRE(set.has_value());
+  CHECK(set->unexplained_area == doctest::Approx(1.0 / 6));
+}
+
 TEST_CASE("faces at 27 degrees keep a round angle") {
   const double degree = kPi / 180;
   const Affine3 turn(Eigen::AngleAxisd(27 * degree, Vec3::UnitZ()));

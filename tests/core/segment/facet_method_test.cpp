@@ -1,9 +1,9 @@
 #include "core/segment/facet_method.h"
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <memory>
+
+#include <doctest/doctest.h>
 
 #include "core/base/rng.h"
 #include "core/segment/segment.h"
@@ -50,6 +50,49 @@ void check_partition(const Mesh& mesh, const Segmentation& s) {
   }
   CHECK(owner == s.group_of_triangle);
   CHECK(area == doctest::Approx(mesh.total_area));
+}
+
+/// A tessellated cylinder that was cut up again: vertices lie on the flat sides only, so triangles
+/// lie across every edge and no vertex of the wall lies on the true surface.
+Mesh cut_up_cylinder(double radius, int sides, int rows) {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<int, 3>> triangles;
+  const int columns = 3 * sides;
+  for (int row = 0; row <= rows; ++row) {
+    for (int c = 0; c < columns; ++c) {
+      const double t = 0.2 + 0.3 * (c % 3) + 0.12 * std::sin(2.1 * row);
+      const double begin = 2 * kPi * (c / 3) / sides;
+      const double end = 2 * kPi * (c / 3 + 1) / sides;
+      vertices.push_back({radius * ((1 - t) * std::cos(begin) + t * std::cos(end)),
+                          radius * ((1 - t) * std::sin(begin) + t * std::sin(end)),
+                          2.0 * row / rows});
+    }
+  }
+  const auto at = [&](int row, int c) { return row * columns + c % columns; };
+  for (int row = 0; row < rows; ++row) {
+    for (int c = 0; c < columns; ++c) {
+      triangles.push_back({at(row, c), at(row, c + 1), at(row + 1, c + 1)});
+      triangles.push_back({at(row, c), at(row + 1, c + 1), at(row + 1, c)});
+    }
+  }
+  const int bottom = static_cast<int>(vertices.size());
+  vertices.push_back({0, 0, 0});
+  vertices.push_back({0, 0, 2});
+  for (int c = 0; c < columns; ++c) {
+    triangles.push_back({bottom, at(0, c + 1), at(0, c)});
+    triangles.push_back({bottom + 1, at(rows, c), at(rows, c + 1)});
+  }
+  return make_mesh(vertices, triangles);
+}
+
+TEST_CASE("a cylinder is found from its flat sides when no vertex lies on it any more") {
+  const Mesh mesh = solids::transformed(cut_up_cylinder(0.8, 30, 12), solids::oblique_transform());
+  const Segmentation s = segmented(mesh);
+  check_partition(mesh, s);
+  CHECK(s.groups.size() == 3);
+  const std::vector<FaceGroup> cylinders = groups_of_kind(s, SurfaceKind::Cylinder);
+  REQUIRE(cylinders.size() == 1);
+  CHECK(cylinders[0].surface.radius == doctest::Approx(0.8).epsilon(1e-5));
 }
 
 TEST_CASE("tessellated solids are taken apart into the surfaces they were made from") {
