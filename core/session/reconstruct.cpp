@@ -15,6 +15,10 @@
 namespace hewn {
 namespace {
 
+/// A tree that shares less with the mesh is of no use; designs come out above 0.97 even where the
+/// mesh is as coarse as a dodecagon.
+constexpr double kLeastIou = 0.9;
+
 /// Measures the time since it was made or last asked.
 class StopWatch {
  public:
@@ -148,12 +152,27 @@ class Reconstructor {
 
     auto score = score_tree(*out_.prepared.query, out_.tree, project_.settings.verify, run_);
     if (!score) return score.error();
+    if (score->iou < kLeastIou && keep_whole_mesh()) {
+      score = score_tree(*out_.prepared.query, out_.tree, project_.settings.verify, run_);
+      if (!score) return score.error();
+    }
     out_.score = *score;
     out_.times.push_back({"verify", watch.lap()});
     return std::move(out_);
   }
 
  private:
+  /// Puts the mesh itself in the place of a tree that is no likeness of it. False when there are
+  /// several partitions, whose plan is the user's, or the mesh is open.
+  bool keep_whole_mesh() {
+    if (out_.partitions.size() != 1 || !out_.mesh_report.is_closed) return false;
+    run_.warn("the tree found is not close to the mesh: it is kept as a polyhedron");
+    out_.tree = polyhedron_tree(out_.prepared.mesh);
+    out_.partitions[0].answer.tree = out_.tree;
+    out_.partitions[0].is_polyhedron = true;
+    return true;
+  }
+
   /// A mesh in more pieces than any design has is free-form: it gets no halfspaces, and the search
   /// then keeps it as a polyhedron.
   Result<void> regularise_groups() {

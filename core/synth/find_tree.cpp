@@ -26,7 +26,7 @@ constexpr std::size_t kMaxDensified = 2000;
 constexpr int kDensifyCopies = 4;
 constexpr double kDensifyReach = 0.01;  // of the diagonal
 /// Halfspaces x words of a problem that is still searched with full effort.
-constexpr double kFullEffortWork = 2500;
+constexpr double kFullEffortWork = 2000;
 /// More surfaces than any design has: the mesh is free-form or hopelessly noisy.
 constexpr std::size_t kMaxHalfspaces = 1500;
 constexpr double kOnBox = 3e-4;  // of the diagonal: a halfspace that is a side of the box
@@ -191,7 +191,7 @@ class TreeSearch {
     const int full =
         std::min(40 + 20 * static_cast<int>(list.items.size()), options_.neighbourhood_steps);
     o.stall_steps = std::max(20, static_cast<int>(full * effort()) / share);
-    o.steps = 6 * o.stall_steps;
+    o.steps = 4 * o.stall_steps;
     o.regrow_tries = options_.regrow_tries;
     return o;
   }
