@@ -39,6 +39,8 @@ using Command = std::function<ExitCode(Environment&)>;
 void add_reconstruct(CLI::App& app, RunFlags& flags, Command& chosen);
 void add_segment(CLI::App& app, RunFlags& flags, Command& chosen);
 void add_info(CLI::App& app, RunFlags& flags, Command& chosen);
+void add_compare(CLI::App& app, RunFlags& flags, Command& chosen);
+void add_export(CLI::App& app, RunFlags& flags, Command& chosen);
 void add_options(CLI::App& app, RunFlags& flags, Command& chosen);
 
 }  // namespace hewn

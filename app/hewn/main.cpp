@@ -65,6 +65,8 @@ int main(int argc, char** argv) {
   hewn::add_reconstruct(app, flags, chosen);
   hewn::add_segment(app, flags, chosen);
   hewn::add_info(app, flags, chosen);
+  hewn::add_compare(app, flags, chosen);
+  hewn::add_export(app, flags, chosen);
   hewn::add_options(app, flags, chosen);
   try {
     app.parse(argc, argv);

@@ -90,7 +90,10 @@ void add_reconstruct(CLI::App& app, RunFlags& run_flags, Command& chosen) {
   const auto flags = std::make_shared<ReconstructFlags>();
   command->add_option("input", flags->input, "mesh (.off .stl .obj .ply) or project (.json)")
       ->required();
-  command->add_option("-o,--output", flags->output, "the tree: .scad; - prints it")->required();
+  command
+      ->add_option("-o,--output", flags->output,
+                   "the tree: .scad .json .stl .off .obj .ply .step; - prints the .scad")
+      ->required();
   command->add_option("--report", flags->report, "facts, timings and errors as JSON");
   command->add_option("--picture", flags->picture, "input and result side by side, PNG");
   command->add_flag("--dark", flags->is_dark, "dark background for the picture");

@@ -1,11 +1,16 @@
 #include "app/hewn/tree_file.h"
 
+#include <cctype>
 #include <cstdio>
 
 #include <fmt/format.h>
 
+#include "app/hewn/temporary_folder.h"
 #include "core/base/file.h"
+#include "core/io/json.h"
 #include "core/io/openscad.h"
+#include "core/io/step.h"
+#include "core/io/stl.h"
 
 namespace hewn {
 namespace {
@@ -26,20 +31,53 @@ std::string openscad_text(const Tree& tree, const TreeFileOptions& options) {
   return to_openscad(tree, header, scad);
 }
 
+bool is_mesh(const std::string& extension) {
+  return extension == ".stl" || extension == ".off" || extension == ".obj" || extension == ".ply";
+}
+
+/// What a writer of files makes, by way of a temporary one: no half-made file is ever at `path`,
+/// and several outputs can be published at one time.
+Result<std::string> solid_file(const Tree& tree, const std::filesystem::path& path,
+                               const std::string& extension, const RunContext& run) {
+  const auto folder = TemporaryFolder::create();
+  if (!folder) return folder.error();
+  const std::filesystem::path draft = *folder / ("solid" + extension);
+  const Result<void> done = is_mesh(extension) ? write_mesh(tree, draft, TessellationOptions{}, run)
+                                               : write_step(tree, draft, run);
+  if (done) return read_file(draft);
+  Error error = done.error();
+  if (error.code != ErrorCode::Cancelled) error.where = path.string();
+  return error;
+}
+
 }  // namespace
 
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
 Result<void> check_tree_extension(const std::filesystem::path& path) {
-  if (path == "-" || path.extension() == ".scad") return {};
-  return Error{
-      ErrorCode::InvalidArgument,
-      fmt::format("a tree cannot be written as '{}'; use .scad", path.extension().string()),
-      path.string()};
+  const std::string extension = lower_extension(path);
+  if (path == "-" || extension == ".scad" || extension == ".json" || extension == ".step" ||
+      is_mesh(extension)) {
+    return {};
+  }
+  return Error{ErrorCode::InvalidArgument,
+               fmt::format("a tree cannot be written as '{}'; use .scad, .json, .stl, .off, .obj, "
+                           ".ply or .step",
+                           extension),
+               path.string()};
 }
 
 Result<std::string> tree_file(const Tree& tree, const std::filesystem::path& path,
-                              const TreeFileOptions& options, const RunContext&) {
+                              const TreeFileOptions& options, const RunContext& run) {
   if (auto known = check_tree_extension(path); !known) return known.error();
-  return openscad_text(tree, options);
+  const std::string extension = lower_extension(path);
+  if (path == "-" || extension == ".scad") return openscad_text(tree, options);
+  if (extension == ".json") return tree_to_json(tree);
+  return solid_file(tree, path, extension, run);
 }
 
 Result<void> write_tree_file(const std::string& content, const std::filesystem::path& path) {

@@ -12,6 +12,7 @@
 
 namespace hewn {
 
+/// What the .scad tells beside the tree; other formats leave it out.
 struct TreeFileOptions {
   std::string part;
   bool match_facets = false;
@@ -19,8 +20,9 @@ struct TreeFileOptions {
   std::vector<std::string> warnings;
 };
 
-/// The file's content: .scad (also for the path "-").
-/// Fails with InvalidArgument for any other extension.
+/// The file's content: .scad (also for the path "-"), .json, .stl, .off, .obj, .ply or .step.
+/// Fails with: InvalidArgument (any other extension, an empty tree as mesh or STEP), Internal (the
+/// Booleans of a mesh or STEP gave no right solid), FileWrite (no temporary folder), Cancelled.
 Result<std::string> tree_file(const Tree& tree, const std::filesystem::path& path,
                               const TreeFileOptions& options, const RunContext& run);
 
@@ -29,5 +31,8 @@ Result<void> write_tree_file(const std::string& content, const std::filesystem::
 
 /// Fails with InvalidArgument when `tree_file` would refuse the path's extension.
 Result<void> check_tree_extension(const std::filesystem::path& path);
+
+/// The extension in lower case, with its dot.
+std::string lower_extension(const std::filesystem::path& path);
 
 }  // namespace hewn

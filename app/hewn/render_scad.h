@@ -1,0 +1,17 @@
+#pragma once
+/// OpenSCAD designs as meshes, by the installed `openscad`.
+#include <filesystem>
+
+#include "core/base/result.h"
+#include "core/base/run_context.h"
+#include "core/mesh/load.h"
+
+namespace hewn {
+
+/// Renders the design to a temporary mesh and loads it.
+/// Fails with: FileNotFound (no design), NotFound (no `openscad`), Format (OpenSCAD refuses the
+/// design; the message is its own first error), FileWrite, Cancelled, and as `load_mesh`.
+Result<LoadedMesh> render_scad(const std::filesystem::path& design, const MeshLoadOptions& options,
+                               const RunContext& run);
+
+}  // namespace hewn

@@ -1,0 +1,90 @@
+// The tree in every format, from `export` and from `reconstruct`; what is refused and how.
+#include <string>
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+
+namespace hewn::cli {
+namespace {
+
+constexpr int kUsage = 2, kNoInput = 3, kBadInput = 4, kNoOutput = 5;
+
+/// The tree of a cube with side 10 as JSON.
+std::string cube_tree(const Folder& folder) {
+  const std::string tree = folder / "tree.json";
+  const Outcome made = run_hewn({"reconstruct", folder.write("cube.off", cube_off()), "-o", tree});
+  REQUIRE_MESSAGE(made.exit_code == 0, made.err);
+  return tree;
+}
+
+TEST_CASE("a tree is exported as meshes of its volume") {
+  const Folder folder;
+  const std::string tree = cube_tree(folder);
+  for (const std::string extension : {".stl", ".off", ".obj", ".ply", ".STL"}) {
+    CAPTURE(extension);
+    const std::string mesh = folder / ("out" + extension);
+    const Outcome outcome = run_hewn({"export", tree, "-o", mesh});
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    const auto info = nlohmann::json::parse(run_hewn({"info", mesh, "--json"}).out);
+    CHECK(info.at("is_closed") == true);
+    CHECK(info.at("volume").get<double>() == doctest::Approx(1000).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("a tree is exported as a design, as the same JSON and as STEP") {
+  const Folder folder;
+  const std::string tree = cube_tree(folder);
+  REQUIRE(run_hewn({"export", tree, "-o", folder / "out.scad"}).exit_code == 0);
+  CHECK(content_of(folder / "out.scad").find("cube(") != std::string::npos);
+  CHECK(run_hewn({"export", tree, "-o", "-"}).out == content_of(folder / "out.scad"));
+  REQUIRE(run_hewn({"export", tree, "-o", folder / "again.json"}).exit_code == 0);
+  CHECK(content_of(folder / "again.json") == content_of(tree));
+  const Outcome step = run_hewn({"export", tree, "-o", folder / "out.step"});
+  REQUIRE_MESSAGE(step.exit_code == 0, step.err);
+  CHECK(content_of(folder / "out.step").starts_with("ISO-10303-21"));
+}
+
+TEST_CASE("reconstruct writes meshes and STEP like export") {
+  const Folder folder;
+  const std::string input = folder.write("cube.off", cube_off());
+  for (const std::string name : {"out.stl", "out.step"}) {
+    const Outcome outcome = run_hewn({"reconstruct", input, "-o", folder / name});
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    CHECK(content_of(folder / name).size() > 600);
+  }
+}
+
+TEST_CASE("what export cannot write or read is refused") {
+  const Folder folder;
+  const std::string tree = cube_tree(folder);
+  const auto before = folder.files();
+  const Outcome extension = run_hewn({"export", tree, "-o", folder / "out.doc"});
+  CHECK(extension.exit_code == kUsage);
+  for (const char* allowed : {".scad", ".json", ".stl", ".off", ".obj", ".ply", ".step"}) {
+    CHECK_MESSAGE(extension.says(allowed), extension.err);
+  }
+  const Outcome missing = run_hewn({"export", folder / "no.json", "-o", folder / "out.scad"});
+  CHECK(missing.exit_code == kNoInput);
+  CHECK_MESSAGE(missing.says("no.json"), missing.err);
+  CHECK(run_hewn({"export", tree, "-o", folder / "no/out.stl"}).exit_code == kNoOutput);
+  CHECK(run_hewn({"export", tree}).exit_code == kUsage);
+  CHECK(folder.files() == before);
+}
+
+TEST_CASE("a malformed tree is refused by its place") {
+  const Folder folder;
+  const std::string out = folder / "out.stl";
+  const Outcome cut = run_hewn({"export", folder.write("cut.json", R"({"format": )"), "-o", out});
+  CHECK(cut.exit_code == kBadInput);
+  CHECK_MESSAGE(cut.says("cut.json"), cut.err);
+  const std::string text = R"({"format": "hewn-tree", "version": 1, "root": {"op": "lathe"}})";
+  const Outcome wrong = run_hewn({"export", folder.write("op.json", text), "-o", out});
+  CHECK(wrong.exit_code == kBadInput);
+  CHECK_MESSAGE(wrong.says("/root"), wrong.err);
+  CHECK(content_of(out).empty());
+}
+
+}  // namespace
+}  // namespace hewn::cli
