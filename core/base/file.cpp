@@ -1,13 +1,13 @@
 #include "core/base/file.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <sstream>
 #include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace hewn {
 namespace {
@@ -51,8 +51,8 @@ Result<std::string> read_file(const std::filesystem::path& path) {
 Result<void> write_file(const std::filesystem::path& path, std::string_view content) {
   // Devices such as /dev/stdout cannot be replaced by a rename.
   std::error_code ignored;
-  const bool in_place = std::filesystem::exists(path, ignored) &&
-                        !std::filesystem::is_regular_file(path, ignored);
+  const bool in_place =
+      std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);
   const std::string target = path.string();
   const std::string staging = in_place ? target : target + ".part" + std::to_string(::getpid());
   const int file = ::open(staging.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);

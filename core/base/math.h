@@ -1,9 +1,10 @@
 #pragma once
 /// The small-vector types and helpers that every layer shares.
-#include <Eigen/Dense>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include <Eigen/Dense>
 
 namespace hewn {
 

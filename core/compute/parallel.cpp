@@ -1,11 +1,11 @@
 #include "core/compute/parallel.h"
 
+#include <algorithm>
+
 #include <tbb/blocked_range.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-
-#include <algorithm>
 
 namespace hewn {
 
@@ -19,8 +19,7 @@ void for_each_chunk(int threads, std::size_t n, std::size_t grain,
   const tbb::blocked_range<std::size_t> range(0, n, grain);
   const auto run = [&] {
     tbb::parallel_for(
-        range,
-        [&](const tbb::blocked_range<std::size_t>& part) { body(part.begin(), part.end()); },
+        range, [&](const tbb::blocked_range<std::size_t>& part) { body(part.begin(), part.end()); },
         tbb::simple_partitioner());
   };
   if (threads <= 0) {

@@ -9,12 +9,12 @@ enum class SurfaceKind { Plane, Sphere, Cylinder, Cone, Torus };
 /// The halfspace bounded by a surface; inside is where the signed distance is negative.
 struct Surface {
   SurfaceKind kind = SurfaceKind::Plane;
-  Vec3 point = Vec3::Zero();   ///< sphere, torus: centre; cylinder: on the axis; cone: apex
-  Vec3 axis = Vec3::UnitZ();   ///< unit; plane: outward normal; cone: from the apex into the solid
-  double offset = 0;           ///< plane only: axis . x = offset
-  double radius = 0;           ///< sphere, cylinder; torus: of the tube
-  double major_radius = 0;     ///< torus only: of the tube's centre line
-  double half_angle_rad = 0;   ///< cone only: in (0, pi/2)
+  Vec3 point = Vec3::Zero();  ///< sphere, torus: centre; cylinder: on the axis; cone: apex
+  Vec3 axis = Vec3::UnitZ();  ///< unit; plane: outward normal; cone: from the apex into the solid
+  double offset = 0;          ///< plane only: axis . x = offset
+  double radius = 0;          ///< sphere, cylinder; torus: of the tube
+  double major_radius = 0;    ///< torus only: of the tube's centre line
+  double half_angle_rad = 0;  ///< cone only: in (0, pi/2)
 
   /// Exact Euclidean distance but for the cone (distance to its prolonged flank), negative inside.
   double signed_distance(const Vec3& x) const;
