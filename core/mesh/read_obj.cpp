@@ -32,14 +32,9 @@ class ObjReader {
 
   Result<void> read_vertex() {
     Vec3 p;
-    for (double& c : p) {
-      const std::string_view field = scanner_.field();
-      const auto value = parse_double(field);
-      if (!value) {
-        return bad(fmt::format("'v' needs 3 numbers, found {}",
-                               field.empty() ? "the end of the line" : quote_field(field)));
-      }
-      c = *value;
+    std::string found;
+    if (!read_point(scanner_, p, found)) {
+      return bad(fmt::format("'v' needs 3 numbers, found {}", found));
     }
     if (!p.allFinite()) return not_finite(at_line(input_.name, scanner_.line()));
     mesh_.vertices.push_back(p);

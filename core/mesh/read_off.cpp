@@ -82,14 +82,9 @@ class OffReader {
       if (cancelled_at(i, input_.run)) return RunContext::cancelled();
       if (!scanner_.next_line()) return ended("vertices", i, vertex_count_);
       Vec3 p;
-      for (double& c : p) {
-        const std::string_view field = scanner_.field();
-        const auto value = parse_double(field);
-        if (!value) {
-          return bad(fmt::format("vertex {} needs 3 numbers, found {}", i,
-                                 field.empty() ? "the end of the line" : quote_field(field)));
-        }
-        c = *value;
+      std::string found;
+      if (!read_point(scanner_, p, found)) {
+        return bad(fmt::format("vertex {} needs 3 numbers, found {}", i, found));
       }
       if (!p.allFinite()) return not_finite(at_line(input_.name, scanner_.line()));
       mesh_.vertices.push_back(p);

@@ -76,6 +76,19 @@ std::string quote_field(std::string_view field) {
   return text + (field.size() > 20 ? "...'" : "'");
 }
 
+bool read_point(TextScanner& scanner, Vec3& point, std::string& found) {
+  for (double& c : point) {
+    const std::string_view field = scanner.field();
+    const auto value = parse_double(field);
+    if (!value) {
+      found = field.empty() ? "the end of the line" : quote_field(field);
+      return false;
+    }
+    c = *value;
+  }
+  return true;
+}
+
 std::string at_line(const std::string& name, int line) { return fmt::format("{}:{}", name, line); }
 
 }  // namespace hewn

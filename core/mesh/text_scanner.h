@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/math.h"
+
 namespace hewn {
 
 /// Walks over lines; within a line, over fields separated by blanks. Keeps the line number.
@@ -34,6 +36,9 @@ std::optional<long long> parse_integer(std::string_view field);
 
 /// A field for a message: quoted, cut to 20 characters, without control characters.
 std::string quote_field(std::string_view field);
+
+/// Reads three numbers. False at the first field that is none: `found` then names it for a message.
+bool read_point(TextScanner& scanner, Vec3& point, std::string& found);
 
 /// "path:line".
 std::string at_line(const std::string& name, int line);
