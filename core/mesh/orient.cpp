@@ -115,9 +115,10 @@ std::vector<double> patch_volumes(const Soup& soup, const Patches& patches) {
   return volumes;
 }
 
-void flip_patch(Soup& soup, const Patches& patches, int patch) {
+/// In one pass: debris can have as many patches as triangles.
+void flip_patches(Soup& soup, const Patches& patches, const std::vector<char>& is_turned) {
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-    if (patches.patch_of[t] == patch) std::swap(soup.triangles[t][1], soup.triangles[t][2]);
+    if (is_turned[patches.patch_of[t]] != 0) std::swap(soup.triangles[t][1], soup.triangles[t][2]);
   }
 }
 
@@ -232,14 +233,16 @@ Result<void> orient_triangles(Soup& soup, MeshReport& report, const RunContext& 
   const std::vector<int> depths = nesting_depths(soup, patches, closed);
   std::vector<int> depth_of(patches.count(), 0);
   for (std::size_t i = 0; i < closed.size(); ++i) depth_of[closed[i]] = depths[i];
+  std::vector<char> is_turned(patches.count(), 0);
   int outer_flips = 0;
   int cavity_flips = 0;
   for (int p = 0; p < patches.count(); ++p) {
     const bool is_cavity = depth_of[p] % 2 != 0;
     if ((volumes[p] < 0) == is_cavity || volumes[p] == 0) continue;
-    flip_patch(soup, patches, p);
+    is_turned[p] = 1;
     ++(is_cavity ? cavity_flips : outer_flips);
   }
+  flip_patches(soup, patches, is_turned);
   report.was_inside_out = outer_flips > 0;
   if (outer_flips > 0) {
     report.warnings.push_back(fmt::format("{} of {} shells were inside out and have been turned.",
