@@ -177,9 +177,12 @@ struct TreeRays::Ray {
 TreeRays::TreeRays(const Tree& tree) : tree_(&tree) {
   for (const Literal& literal : tree.literals) {
     bounds_.push_back(literal.bounds());
-    meshes_.push_back(literal.kind == SolidKind::Polyhedron && literal.polyhedron
-                          ? std::make_shared<const MeshQuery>(literal.polyhedron)
-                          : nullptr);
+    std::shared_ptr<const MeshQuery> query;
+    if (literal.kind == SolidKind::Polyhedron && literal.polyhedron) {
+      query = literal.polyhedron_query ? literal.polyhedron_query
+                                       : std::make_shared<const MeshQuery>(literal.polyhedron);
+    }
+    meshes_.push_back(std::move(query));
   }
 }
 

@@ -68,10 +68,11 @@ const char* op_text(Op op) {
 }
 
 /// The mesh as a literal: what is left when no primitive explains it.
-Tree polyhedron_tree(std::shared_ptr<const Mesh> mesh) {
+Tree polyhedron_tree(const PreparedMesh& prepared) {
   Literal literal;
   literal.kind = SolidKind::Polyhedron;
-  literal.polyhedron = std::move(mesh);
+  literal.polyhedron = prepared.mesh;
+  literal.polyhedron_query = prepared.query;
   Tree tree;
   tree.root = tree.add_literal(std::move(literal));
   return tree;
@@ -167,7 +168,7 @@ class Reconstructor {
   bool keep_whole_mesh() {
     if (out_.partitions.size() != 1 || !out_.mesh_report.is_closed) return false;
     run_.warn("the tree found is not close to the mesh: it is kept as a polyhedron");
-    out_.tree = polyhedron_tree(out_.prepared.mesh);
+    out_.tree = polyhedron_tree(out_.prepared);
     out_.partitions[0].answer.tree = out_.tree;
     out_.partitions[0].is_polyhedron = true;
     return true;
@@ -240,7 +241,7 @@ class Reconstructor {
     const bool can_keep = error.code == ErrorCode::NotFound && is_whole &&
                           !partition.is_subtracted && out_.mesh_report.is_closed;
     if (can_keep) {
-      result.answer.tree = polyhedron_tree(out_.prepared.mesh);
+      result.answer.tree = polyhedron_tree(out_.prepared);
       result.answer.agreement = 1;
       result.is_polyhedron = true;
       return result;
