@@ -10,9 +10,7 @@
 #include "app/hewn/render_scad.h"
 #include "app/hewn/tree_file.h"
 #include "core/base/file.h"
-#include "core/base/rng.h"
 #include "core/io/json.h"
-#include "core/mesh/sampling.h"
 #include "core/session/score.h"
 
 namespace hewn {
@@ -57,26 +55,6 @@ Result<MeshQuery> query_of(const std::filesystem::path& path, const MeshLoadOpti
   return MeshQuery(std::make_shared<const Mesh>(std::move(loaded->mesh)));
 }
 
-/// Common over joint volume in the box of both: `score_tree` looks only near the mesh, which
-/// suits a reconstruction but not a tree that may be far larger than the mesh.
-double joint_iou(const MeshQuery& a, const Tree& tree, int points, const RunContext& run) {
-  Box3 box = a.mesh().bounds;
-  const Box3 other = tree.bounds();
-  box.extend(other.lo);
-  box.extend(other.hi);
-  Rng rng(run.seed);
-  int common = 0;
-  int joint = 0;
-  for (int i = 0; i < points && !run.is_cancelled(); ++i) {
-    const Vec3 x = sample_box(box, rng);
-    const bool in_a = a.contains(x);
-    const bool in_tree = tree.signed_distance(x) < 0;
-    common += in_a && in_tree ? 1 : 0;
-    joint += in_a || in_tree ? 1 : 0;
-  }
-  return joint > 0 ? static_cast<double>(common) / joint : 1;
-}
-
 Result<Comparison> compare_with_tree(const MeshQuery& a, const CompareFlags& flags,
                                      const RunContext& run) {
   const auto tree = read_tree_json(flags.b);
@@ -91,10 +69,8 @@ Result<Comparison> compare_with_tree(const MeshQuery& a, const CompareFlags& fla
   }
   const auto score = score_tree(a, *tree, settings, run);
   if (!score) return score.error();
-  const double iou = joint_iou(a, *tree, settings.volume_points, run);
-  if (run.is_cancelled()) return RunContext::cancelled();
   return Comparison{a.mesh().diagonal(), score->mesh_to_tree_max, score->tree_to_mesh_max,
-                    score->hausdorff,    score->mean_distance,    iou};
+                    score->hausdorff,    score->mean_distance,    score->iou};
 }
 
 Result<Comparison> compare_with_mesh(const MeshQuery& a, const CompareFlags& flags,

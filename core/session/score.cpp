@@ -17,6 +17,7 @@ constexpr double kTouching = 1e-6;
 
 constexpr std::size_t kChunk = 512;
 constexpr std::uint64_t kVolumeStream = 0x700000;
+constexpr std::uint64_t kOutsideStream = 0x780000;
 constexpr std::uint64_t kSurfaceStream = 0x800000;
 constexpr std::uint64_t kLineStream = 0x900000;
 
@@ -73,6 +74,24 @@ double distance_to_tree(const Tree& tree, const Vec3& p, double diagonal) {
   return has_arrived ? std::max(bound, (q - p).norm()) : bound;
 }
 
+/// What of the tree lies outside `box`, in volumes of the box. The mesh's own surroundings get all
+/// points of `score_volume`, however far the tree reaches beyond them.
+double volume_outside(const Tree& tree, const Box3& box, std::size_t points,
+                      const RunContext& run) {
+  Box3 joint = tree.bounds();
+  if (joint.is_empty() || (box.contains(joint.lo) && box.contains(joint.hi))) return 0;
+  joint.extend(box.lo);
+  joint.extend(box.hi);
+  std::vector<char> is_beyond(points);
+  sample_all(points, kOutsideStream, run, [&](std::size_t i, Rng& rng) {
+    const Vec3 x = sample_box(joint, rng);
+    is_beyond[i] = !box.contains(x) && tree.contains(x) ? 1 : 0;
+  });
+  const auto beyond = std::count(is_beyond.begin(), is_beyond.end(), char{1});
+  return joint.size().prod() / box.size().prod() * static_cast<double>(beyond) /
+         static_cast<double>(points);
+}
+
 /// Membership of random points in mesh and tree.
 void score_volume(const MeshQuery& query, const Tree& tree, int points, const RunContext& run,
                   TreeScore& score) {
@@ -94,7 +113,10 @@ void score_volume(const MeshQuery& query, const Tree& tree, int points, const Ru
     both += m == 3;
     one += m == 1 || m == 2;
   }
-  score.iou = both + one == 0 ? 0 : static_cast<double>(both) / static_cast<double>(both + one);
+  const double outside = volume_outside(tree, box, membership.size(), run);
+  const double joint =
+      static_cast<double>(both + one) + outside * static_cast<double>(membership.size());
+  score.iou = joint > 0 ? static_cast<double>(both) / joint : 0;
   score.agreement = 1 - static_cast<double>(one) / static_cast<double>(membership.size());
   // A few thousand points decide which operands overlap.
   constexpr std::size_t kProximityPoints = 8192;

@@ -11,7 +11,7 @@ namespace hewn {
 /// Distances are shares of the mesh's bounding-box diagonal.
 struct TreeScore {
   double agreement = 0;  ///< share of volume points in a box 5 % larger that are classified alike
-  double iou = 0;        ///< intersection over union, same points
+  double iou = 0;        ///< intersection over union, wherever mesh or tree reach
   double hausdorff = 0;  ///< the larger of both ways' largest distances
   double mean_distance = 0;  ///< the larger of both ways' means
   double mesh_to_tree_max = 0;
