@@ -41,6 +41,7 @@ void add_segment(CLI::App& app, RunFlags& flags, Command& chosen);
 void add_info(CLI::App& app, RunFlags& flags, Command& chosen);
 void add_compare(CLI::App& app, RunFlags& flags, Command& chosen);
 void add_export(CLI::App& app, RunFlags& flags, Command& chosen);
+void add_replay(CLI::App& app, RunFlags& flags, Command& chosen);
 void add_options(CLI::App& app, RunFlags& flags, Command& chosen);
 
 }  // namespace hewn

@@ -8,10 +8,10 @@
 
 #include "app/hewn/commands.h"
 #include "app/hewn/render_scad.h"
-#include "app/hewn/tree_file.h"
 #include "core/base/file.h"
 #include "core/io/json.h"
 #include "core/session/score.h"
+#include "core/session/tree_file.h"
 
 namespace hewn {
 namespace {

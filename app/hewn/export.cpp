@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "app/hewn/commands.h"
-#include "app/hewn/tree_file.h"
 #include "core/io/json.h"
+#include "core/session/tree_file.h"
 
 namespace hewn {
 namespace {

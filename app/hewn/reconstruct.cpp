@@ -8,9 +8,9 @@
 
 #include "app/hewn/commands.h"
 #include "app/hewn/pictures.h"
-#include "app/hewn/tree_file.h"
 #include "core/base/file.h"
 #include "core/session/report.h"
+#include "core/session/tree_file.h"
 
 namespace hewn {
 namespace {

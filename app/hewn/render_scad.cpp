@@ -14,8 +14,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "app/hewn/temporary_folder.h"
 #include "core/base/file.h"
+#include "core/base/temporary_folder.h"
 
 namespace hewn {
 namespace {

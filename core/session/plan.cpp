@@ -20,8 +20,9 @@ constexpr double kOnCut = 2e-6;
 /// Resolves references against the groups as they stand; builds the query when a point needs it.
 class GroupFinder {
  public:
-  GroupFinder(std::shared_ptr<const Mesh> mesh, const Segmentation& segmentation)
-      : mesh_(std::move(mesh)), segmentation_(&segmentation) {}
+  GroupFinder(std::shared_ptr<const Mesh> mesh, const Segmentation& segmentation,
+              std::shared_ptr<const MeshQuery> query = nullptr)
+      : mesh_(std::move(mesh)), segmentation_(&segmentation), query_(std::move(query)) {}
 
   Result<int> find(const GroupRef& ref, const std::string& where) {
     if (!ref.at) {
@@ -56,11 +57,6 @@ class GroupFinder {
     std::sort(groups.begin(), groups.end());
     groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
     return groups;
-  }
-
-  std::shared_ptr<const MeshQuery> query() {
-    if (!query_) query_ = std::make_shared<const MeshQuery>(mesh_);
-    return query_;
   }
 
  private:
@@ -101,7 +97,9 @@ bool touches(const CutStep& cut, const std::vector<int>& groups, const PreparedM
 class Resolver {
  public:
   Resolver(const Project& project, const PreparedMesh& prepared)
-      : project_(project), prepared_(prepared), finder_(prepared.mesh, prepared.segmentation) {}
+      : project_(project),
+        prepared_(prepared),
+        finder_(prepared.mesh, prepared.segmentation, prepared.query) {}
 
   Result<void> add(const PartitionPlan& plan, int parent, bool is_subtracted,
                    const std::string& path) {
@@ -181,6 +179,11 @@ Result<PreparedMesh> apply_edits(const Project& project, std::shared_ptr<const M
   }
   out.query = std::make_shared<const MeshQuery>(out.mesh);
   return out;
+}
+
+Result<std::vector<int>> find_groups(const PreparedMesh& prepared,
+                                     const std::vector<GroupRef>& refs, const std::string& where) {
+  return GroupFinder(prepared.mesh, prepared.segmentation, prepared.query).find_all(refs, where);
 }
 
 Result<std::vector<Partition>> resolve_partitions(const Project& project,

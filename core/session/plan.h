@@ -34,6 +34,11 @@ struct Partition {
 Result<PreparedMesh> apply_edits(const Project& project, std::shared_ptr<const Mesh> mesh,
                                  Segmentation segmentation, const RunContext& run);
 
+/// The groups that the references name, ascending, each once. `where` begins the error's place.
+/// Fails with InvalidArgument: a group that is not there.
+Result<std::vector<int>> find_groups(const PreparedMesh& prepared,
+                                     const std::vector<GroupRef>& refs, const std::string& where);
+
 /// Resolves the project's partition expression. A group that several partitions name belongs to
 /// each; groups that none names are left out with a warning.
 /// Fails with InvalidArgument: a group that is not there, a partition that is empty.

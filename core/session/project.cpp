@@ -94,11 +94,6 @@ Op read_op(const Json& value, const std::string& where) {
   fail(where, "the operation must be \"union\", \"difference\" or \"intersection\"");
 }
 
-const char* op_name(Op op) {
-  if (op == Op::Difference) return "difference";
-  return op == Op::Intersection ? "intersection" : "union";
-}
-
 PartitionPlan read_partition(const Json& value, const std::string& where, int depth) {
   constexpr int kDeepest = 64;  // the reader is recursive: bound what a file can make it do
   if (depth > kDeepest) fail(where, fmt::format("partitions nest deeper than {}", kDeepest));
@@ -185,23 +180,12 @@ Project read_project(const Json& root, const std::filesystem::path& folder) {
 
 Json point_json(const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); }
 
-Json groups_json(const std::vector<GroupRef>& refs) {
-  Json list = Json::array();
-  for (const GroupRef& ref : refs) {
-    Json item = Json::object();
-    if (ref.at) item["at"] = point_json(*ref.at);
-    if (ref.index >= 0) item["index"] = ref.index;
-    list.push_back(std::move(item));
-  }
-  return list;
-}
-
 Json partition_json(const PartitionPlan& plan) {
-  Json object = {{"name", plan.name}, {"op", op_name(plan.op)}};
+  Json object = {{"name", plan.name}, {"op", name_of(plan.op)}};
   if (plan.takes_rest) {
     object["groups"] = "rest";
   } else if (!plan.groups.empty()) {
-    object["groups"] = groups_json(plan.groups);
+    object["groups"] = groups_to_json(plan.groups);
   }
   for (const PartitionPlan& child : plan.children) {
     object["children"].push_back(partition_json(child));
@@ -210,6 +194,38 @@ Json partition_json(const PartitionPlan& plan) {
 }
 
 }  // namespace
+
+Json groups_to_json(const std::vector<GroupRef>& groups) {
+  Json list = Json::array();
+  for (const GroupRef& ref : groups) {
+    Json item = Json::object();
+    if (ref.at) item["at"] = point_json(*ref.at);
+    if (ref.index >= 0) item["index"] = ref.index;
+    list.push_back(std::move(item));
+  }
+  return list;
+}
+
+Result<std::vector<GroupRef>> groups_from_json(const Json& value, const std::string& where) {
+  try {
+    return read_groups(value, where);
+  } catch (const BadProject& bad) {
+    return bad.error;
+  }
+}
+
+const char* name_of(Op op) {
+  if (op == Op::Difference) return "difference";
+  return op == Op::Intersection ? "intersection" : "union";
+}
+
+Result<Op> op_from_name(std::string_view name) {
+  try {
+    return read_op(Json(name), "op");
+  } catch (const BadProject& bad) {
+    return bad.error;
+  }
+}
 
 Result<Project> parse_project(std::string_view text, const std::filesystem::path& folder) {
   try {
@@ -231,11 +247,11 @@ std::string project_text(const Project& project, const std::filesystem::path& fo
                {"partition", partition_json(project.root)}};
   for (const CutStep& cut : project.cuts) {
     Json object = {{"normal", point_json(cut.normal)}, {"offset", cut.offset}};
-    if (!cut.groups.empty()) object["groups"] = groups_json(cut.groups);
+    if (!cut.groups.empty()) object["groups"] = groups_to_json(cut.groups);
     root["cuts"].push_back(std::move(object));
   }
-  for (const auto& merge : project.merges) root["merges"].push_back(groups_json(merge));
-  return root.dump(2) + "\n";
+  for (const auto& merge : project.merges) root["merges"].push_back(groups_to_json(merge));
+  return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Result<Project> load_project(const std::filesystem::path& path) {

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "core/base/result.h"
 #include "core/csg/tree.h"
 #include "core/session/settings.h"
@@ -58,5 +60,15 @@ std::string project_text(const Project& project, const std::filesystem::path& fo
 
 /// Fails as `parse_project` and `read_file` do.
 Result<Project> load_project(const std::filesystem::path& path);
+
+/// Groups as in a project file. `where` begins the error's place. Fails with: Format.
+nlohmann::json groups_to_json(const std::vector<GroupRef>& groups);
+Result<std::vector<GroupRef>> groups_from_json(const nlohmann::json& value,
+                                               const std::string& where);
+
+/// "union", "difference" or "intersection", as in a project file.
+const char* name_of(Op op);
+/// Fails with: Format.
+Result<Op> op_from_name(std::string_view name);
 
 }  // namespace hewn

@@ -62,11 +62,6 @@ class SharedProgress {
   std::vector<double> shares_;
 };
 
-const char* op_text(Op op) {
-  if (op == Op::Difference) return "difference";
-  return op == Op::Intersection ? "intersection" : "union";
-}
-
 /// The mesh as a literal: what is left when no primitive explains it.
 Tree polyhedron_tree(const PreparedMesh& prepared) {
   Literal literal;
@@ -103,6 +98,9 @@ class Reconstructor {
     };
   }
 
+  /// Of stages that ran before this object was made.
+  void keep_warnings(const std::vector<std::string>& warnings) { out_.warnings = warnings; }
+
   Result<SegmentedMesh> prepare() {
     StopWatch watch;
     SegmentedMesh out;
@@ -137,9 +135,13 @@ class Reconstructor {
   Result<Reconstruction> run() {
     auto segmented = prepare();
     if (!segmented) return segmented.error();
-    out_.mesh_report = std::move(segmented->report);
-    out_.prepared = std::move(segmented->prepared);
-    out_.times = std::move(segmented->times);
+    return run(std::move(*segmented));
+  }
+
+  Result<Reconstruction> run(SegmentedMesh segmented) {
+    out_.mesh_report = std::move(segmented.report);
+    out_.prepared = std::move(segmented.prepared);
+    out_.times = std::move(segmented.times);
 
     StopWatch watch;
     if (auto regular = regularise_groups(); !regular) return regular.error();
@@ -219,7 +221,7 @@ class Reconstructor {
     const Segmentation& segmentation = out_.prepared.segmentation;
     PartitionResult result;
     result.name = partition.name;
-    result.op = op_text(partition.op);
+    result.op = name_of(partition.op);
     result.groups = static_cast<int>(partition.groups.size());
     for (const int g : partition.groups) result.area_share += segmentation.groups[g].area;
     result.area_share /= out_.prepared.mesh->total_area;
@@ -302,6 +304,13 @@ Result<SegmentedMesh> segment_project(const Project& project, const RunContext& 
 
 Result<Reconstruction> reconstruct(const Project& project, const RunContext& run) {
   return Reconstructor(project, run).run();
+}
+
+Result<Reconstruction> reconstruct(const Project& project, SegmentedMesh segmented,
+                                   const RunContext& run) {
+  Reconstructor reconstructor(project, run);
+  reconstructor.keep_warnings(segmented.report.warnings);
+  return reconstructor.run(std::move(segmented));
 }
 
 }  // namespace hewn

@@ -58,4 +58,9 @@ Result<SegmentedMesh> segment_project(const Project& project, const RunContext& 
 /// Same result for any number of threads, times aside.
 Result<Reconstruction> reconstruct(const Project& project, const RunContext& run);
 
+/// The second half alone: `segmented` is what `segment_project` made of the same project.
+/// The same result as that of the whole.
+Result<Reconstruction> reconstruct(const Project& project, SegmentedMesh segmented,
+                                   const RunContext& run);
+
 }  // namespace hewn

@@ -212,6 +212,11 @@ void score_mesh_surface(const MeshQuery& query, const Tree& tree, int points, co
 
 }  // namespace
 
+double signed_distance_to_tree(const Tree& tree, const Vec3& p, double diagonal) {
+  const double distance = distance_to_tree(tree, p, diagonal);
+  return tree.contains(p) ? -distance : distance;
+}
+
 Result<TreeScore> score_tree(const MeshQuery& query, const Tree& tree,
                              const VerifySettings& settings, const RunContext& run) {
   TreeScore score;

@@ -26,4 +26,8 @@ struct TreeScore {
 Result<TreeScore> score_tree(const MeshQuery& query, const Tree& tree,
                              const VerifySettings& settings, const RunContext& run);
 
+/// How far `p` lies outside the tree's solid (inside: negative), in model units: the walk that
+/// `score_tree` measures with. `diagonal` is the mesh's.
+double signed_distance_to_tree(const Tree& tree, const Vec3& p, double diagonal);
+
 }  // namespace hewn

@@ -1,4 +1,4 @@
-#include "app/hewn/temporary_folder.h"
+#include "core/base/temporary_folder.h"
 
 #include <cstdlib>
 #include <string>

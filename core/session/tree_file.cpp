@@ -1,12 +1,12 @@
-#include "app/hewn/tree_file.h"
+#include "core/session/tree_file.h"
 
 #include <cctype>
 #include <cstdio>
 
 #include <fmt/format.h>
 
-#include "app/hewn/temporary_folder.h"
 #include "core/base/file.h"
+#include "core/base/temporary_folder.h"
 #include "core/io/json.h"
 #include "core/io/openscad.h"
 #include "core/io/step.h"

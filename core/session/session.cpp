@@ -1,0 +1,380 @@
+#include "core/session/session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/base/file.h"
+#include "core/session/tree_file.h"
+
+namespace hewn {
+namespace {
+
+/// The newest results stay; each holds a few hundred kilobytes beside the shared mesh.
+constexpr std::size_t kMostResults = 64;
+
+double total_seconds(const Reconstruction& found) {
+  double sum = 0;
+  for (const StageTime& time : found.times) sum += time.seconds;
+  return sum;
+}
+
+std::string text_of(const Error& error) {
+  return error.where.empty() ? error.message : error.where + ": " + error.message;
+}
+
+/// The result of a search from the groups as they stand.
+Result<std::shared_ptr<const FoundResult>> search(const Document& document, std::string source,
+                                                  const RunContext& run) {
+  SegmentedMesh segmented;
+  segmented.report = document.source->report;
+  segmented.prepared = *document.prepared;
+  auto found = reconstruct(document.project, std::move(segmented), run);
+  if (!found) return found.error();
+  auto result = std::make_shared<FoundResult>();
+  result->project = document.project;
+  result->plan = plan_text(document.project);
+  result->source = std::move(source);
+  result->seconds = total_seconds(*found);
+  result->found = std::move(*found);
+  return std::shared_ptr<const FoundResult>(std::move(result));
+}
+
+Result<void> write_result(const FoundResult& result, const ExportTree& command,
+                          const RunContext& run) {
+  TreeFileOptions options;
+  options.part = result.project.mesh.stem().string();
+  options.match_facets = command.match_facets;
+  options.score = result.found.score;
+  options.warnings = result.found.warnings;
+  auto content = tree_file(result.found.tree, command.path, options, run);
+  if (!content) return content.error();
+  return write_tree_file(*content, command.path);
+}
+
+}  // namespace
+
+Session::Session(const RunContext& base, std::function<void()> wake)
+    : jobs_(base, std::move(wake)) {
+  jobs_.on_failure([this](const std::string& job, const std::string& reason) {
+    report({ErrorCode::Internal,
+            fmt::format("something inside broke: {}; the document is unharmed", reason), job});
+  });
+}
+
+Result<void> Session::execute(const SessionCommand& command) {
+  Result<void> done = carry_out(command);
+  ++revision_;
+  if (done) {
+    log_ += command_to_line(command) + "\n";
+  } else {
+    report(done.error());
+  }
+  return done;
+}
+
+Result<void> Session::carry_out(const SessionCommand& command) {
+  if (const auto* file = std::get_if<OpenFile>(&command)) return open(file->path);
+  if (history_.current().project.mesh.empty()) {
+    return Error{ErrorCode::InvalidArgument, "open a mesh first"};
+  }
+  if (const auto* file = std::get_if<SaveProject>(&command)) return save(file->path);
+  if (const auto* file = std::get_if<ExportTree>(&command)) return export_tree(*file);
+  if (std::holds_alternative<Reconstruct>(command)) return start_search();
+  if (std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command)) {
+    const bool is_undo = std::holds_alternative<Undo>(command);
+    if (!(is_undo ? history_.undo() : history_.redo())) {
+      return Error{ErrorCode::InvalidArgument, is_undo ? "nothing to undo" : "nothing to do again"};
+    }
+  } else {
+    auto next = edited(history_.current(), command, RunContext{});
+    if (!next) return next.error();
+    history_.push(title_of(command), std::move(*next));
+  }
+  plan_changed();
+  return {};
+}
+
+Result<void> Session::open(const std::filesystem::path& path) {
+  Document document;
+  project_path_.clear();
+  if (lower_extension(path) == ".json") {
+    auto project = load_project(path);
+    if (!project) return project.error();
+    document.project = std::move(*project);
+    project_path_ = path;
+  } else {
+    document.project.mesh = path;
+    document.project.root.name = "body";
+  }
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(document.project.mesh, ignored)) {
+    return Error{ErrorCode::FileNotFound, "there is no such file, or it cannot be read",
+                 document.project.mesh.string()};
+  }
+  jobs_.cancel_all();
+  results_.clear();
+  last_result_ = view_of_ = nullptr;
+  view_ = nullptr;
+  display_of_ = nullptr;
+  display_ = nullptr;
+  saved_plan_ = plan_text(document.project);
+  history_.reset(std::move(document));
+  plan_changed();
+  return {};
+}
+
+Result<void> Session::recover(const std::filesystem::path& copy) {
+  if (auto done = execute(OpenFile{copy}); !done) return done;
+  project_path_.clear();
+  saved_plan_.clear();
+  return {};
+}
+
+Result<void> Session::save(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto folder = std::filesystem::absolute(path, ignored).parent_path();
+  const std::string text = project_text(document().project, folder);
+  if (auto done = write_file(path, text); !done) return done;
+  project_path_ = path;
+  saved_plan_ = plan_text(document().project);
+  return {};
+}
+
+bool Session::is_modified() const {
+  return !document().project.mesh.empty() && plan_text(document().project) != saved_plan_;
+}
+
+void Session::plan_changed() {
+  failure_.clear();
+  if (!document().source) {
+    start_reading();
+    return;
+  }
+  if (is_live_ && !current_result()) static_cast<void>(start_search());
+}
+
+void Session::start_reading() {
+  jobs_.cancel(search_job_);
+  const Project project = document().project;
+  jobs_.add("reading the mesh", [this, project](const RunContext& run) -> JobCompletion {
+    Project plain = project;
+    plain.cuts.clear();
+    plain.merges.clear();
+    RunContext own = run;
+    own.seed = project.seed;
+    auto read = segment_project(plain, own);
+    std::shared_ptr<const DisplayMesh> shown;
+    if (read && project.cuts.empty() && project.merges.empty()) {
+      shown = std::make_shared<const DisplayMesh>(build_display_mesh(read->prepared));
+    }
+    return [this, key = source_key(project), outcome = std::move(read), shown]() mutable {
+      adopt_source(key, std::move(outcome), shown);
+    };
+  });
+}
+
+void Session::adopt_source(const std::string& key, Result<SegmentedMesh> read,
+                           std::shared_ptr<const DisplayMesh> display) {
+  ++revision_;
+  if (key != source_key(document().project)) return;  // the plan has moved on
+  if (!read) {
+    if (read.error().code != ErrorCode::Cancelled) report(read.error());
+    return;
+  }
+  auto source = std::make_shared<const SegmentedMesh>(std::move(*read));
+  for (const std::string& warning : source->report.warnings) notify(Severity::Info, warning);
+  auto next = with_source(document(), source, RunContext{});
+  if (!next) {
+    report(next.error());
+    return;
+  }
+  history_.amend(std::move(*next));
+  if (display) {
+    display_of_ = document().prepared;
+    display_ = std::move(display);
+  }
+  if (is_live_ && !current_result()) static_cast<void>(start_search());
+}
+
+int Session::add_search(const Project& project, std::string source) {
+  Document document = history_.current();
+  document.project = project;
+  std::string name = source == "plan" ? "searching" : "searching (" + source + ")";
+  return jobs_.add(std::move(name),
+                   [this, document, source](const RunContext& run) -> JobCompletion {
+                     auto result = search(document, source, run);
+                     return [this, result, plan = plan_text(document.project)] {
+                       ++revision_;
+                       if (result) {
+                         adopt_result(*result);
+                       } else if (result.error().code != ErrorCode::Cancelled) {
+                         if (plan == plan_text(history_.current().project))
+                           failure_ = text_of(result.error());
+                         report(result.error());
+                       }
+                     };
+                   });
+}
+
+Result<void> Session::start_search() {
+  if (!document().is_ready()) {
+    return Error{ErrorCode::InvalidArgument,
+                 "the mesh is still being divided into groups; wait until it is done"};
+  }
+  const std::string plan = plan_text(document().project);
+  if (current_result()) return {};
+  if (plan == searched_plan_ && is_busy()) return {};
+  jobs_.cancel(search_job_);
+  for (const int job : std::exchange(variant_jobs_, {})) jobs_.cancel(job);
+  failure_.clear();
+  searched_plan_ = plan;
+  search_job_ = add_search(document().project, "plan");
+  return {};
+}
+
+void Session::search_variants() {
+  if (!document().is_ready()) return;
+  for (const int job : std::exchange(variant_jobs_, {})) jobs_.cancel(job);
+  const Project& project = document().project;
+  const auto add = [this](Project variant, std::string name) {
+    const std::string plan = plan_text(variant);
+    const bool is_known = std::any_of(results_.begin(), results_.end(),
+                                      [&plan](const auto& r) { return r->plan == plan; });
+    if (!is_known) variant_jobs_.push_back(add_search(variant, std::move(name)));
+  };
+  for (const int starts : {1, 8}) {
+    Project variant = project;
+    variant.settings.tree.starts = starts;
+    add(variant, fmt::format("{} start{}", starts, starts == 1 ? "" : "s"));
+  }
+  for (const int rounds : {0, 1}) {
+    Project variant = project;
+    variant.settings.tree.rounds = rounds;
+    add(variant, fmt::format("{} rounds", rounds));
+  }
+  Project narrow = project;
+  narrow.settings.tree.beam_width = 2;
+  add(narrow, "beam of 2");
+  Project brief = project;
+  brief.settings.tree.neighbourhood_steps = 200;
+  add(brief, "brief search");
+}
+
+void Session::adopt_result(std::shared_ptr<const FoundResult> result) {
+  std::erase_if(results_, [&result](const auto& r) { return r->plan == result->plan; });
+  results_.push_back(result);
+  if (results_.size() > kMostResults) results_.erase(results_.begin());
+  if (result->plan == plan_text(document().project) || !last_result_) last_result_ = result;
+  if (wants_views_) start_view(shown_result());
+}
+
+void Session::start_view(const std::shared_ptr<const FoundResult>& result) {
+  if (!result || view_of_ == result) return;
+  view_of_ = result;
+  view_ = nullptr;
+  jobs_.add("drawing the result", [this, result](const RunContext& run) -> JobCompletion {
+    auto view = build_result_view(result->found, run);
+    return [this, result, outcome = std::move(view)]() mutable {
+      ++revision_;
+      if (view_of_ != result) return;
+      if (outcome) {
+        view_ = std::make_shared<const ResultView>(std::move(*outcome));
+        if (!view_->problem.empty()) notify(Severity::Warning, view_->problem);
+      } else {
+        view_of_ = nullptr;
+        if (outcome.error().code != ErrorCode::Cancelled) report(outcome.error());
+      }
+    };
+  });
+}
+
+Result<void> Session::export_tree(const ExportTree& command) {
+  if (auto known = check_tree_extension(command.path); !known) return known.error();
+  if (!document().is_ready()) {
+    return Error{ErrorCode::InvalidArgument, "the mesh is not read yet; wait until it is done"};
+  }
+  const auto ready = current_result();
+  jobs_.add("exporting",
+            [this, command, ready, document = document()](const RunContext& run) -> JobCompletion {
+              auto result = ready ? ready : Result<std::shared_ptr<const FoundResult>>(nullptr);
+              if (!ready) result = search(document, "plan", run);
+              Result<void> done;
+              if (!result) {
+                done = result.error();
+              } else {
+                done = write_result(**result, command, run);
+              }
+              return [this, result, done, path = command.path] {
+                ++revision_;
+                if (result && *result != current_result()) adopt_result(*result);
+                if (done) {
+                  notify(Severity::Info, fmt::format("wrote {}", path.string()));
+                } else {
+                  report(done.error());
+                }
+              };
+            });
+  return {};
+}
+
+std::shared_ptr<const FoundResult> Session::current_result() const {
+  if (results_.empty()) return nullptr;
+  const std::string plan = plan_text(document().project);
+  for (auto it = results_.rbegin(); it != results_.rend(); ++it) {
+    if ((*it)->plan == plan) return *it;
+  }
+  return nullptr;
+}
+
+std::shared_ptr<const FoundResult> Session::shown_result() const {
+  auto current = current_result();
+  return current ? current : last_result_;
+}
+
+std::shared_ptr<const ResultView> Session::result_view() const {
+  return view_of_ && view_of_ == shown_result() ? view_ : nullptr;
+}
+
+void Session::set_live(bool is_live) {
+  is_live_ = is_live;
+  if (is_live && document().is_ready() && !current_result()) static_cast<void>(start_search());
+}
+
+bool Session::poll() {
+  const bool changed = jobs_.poll();
+  // Undo and redo may bring back another result than the one that is drawn.
+  if (wants_views_ && shown_result() != view_of_) start_view(shown_result());
+  return changed;
+}
+
+void Session::wait() { jobs_.wait(); }
+
+std::shared_ptr<const DisplayMesh> Session::display() {
+  const auto& prepared = document().prepared;
+  if (prepared && prepared != display_of_) {
+    display_ = std::make_shared<const DisplayMesh>(build_display_mesh(*prepared));
+    display_of_ = prepared;
+  }
+  return prepared ? display_ : nullptr;
+}
+
+void Session::notify(Severity severity, std::string text) {
+  ++revision_;
+  const bool is_shown = std::any_of(notices_.begin(), notices_.end(),
+                                    [&text](const Notice& n) { return n.text == text; });
+  if (!is_shown) notices_.push_back({severity, std::move(text)});
+}
+
+void Session::dismiss(std::size_t notice) {
+  ++revision_;
+  if (notice < notices_.size()) notices_.erase(notices_.begin() + static_cast<long>(notice));
+}
+
+void Session::report(const Error& error) {
+  has_failed_ = true;
+  notify(Severity::Error, text_of(error));
+}
+
+}  // namespace hewn

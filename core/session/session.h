@@ -1,0 +1,135 @@
+#pragma once
+/// The working session behind a window or a replayed log: one document with its history, jobs,
+/// results, notices and the record of everything done. Knows no user interface.
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/session/command.h"
+#include "core/session/display_mesh.h"
+#include "core/session/history.h"
+#include "core/session/job_queue.h"
+#include "core/session/result_view.h"
+
+namespace hewn {
+
+/// Something to tell the user until they dismiss it.
+struct Notice {
+  Severity severity = Severity::Info;
+  std::string text;
+};
+
+/// A tree that was found, with the plan that it belongs to. Immutable.
+struct FoundResult {
+  Project project;
+  std::string plan;    ///< `plan_text` of the project
+  std::string source;  ///< short: "plan", "8 starts", "seed 2"
+  Reconstruction found;
+  double seconds = 0;
+};
+
+/// One thread owns a session; only the jobs run elsewhere.
+class Session {
+ public:
+  /// `base` gives the jobs their thread count. `wake` is called from the worker when there is
+  /// something new to see.
+  explicit Session(const RunContext& base = {}, std::function<void()> wake = {});
+
+  /// Carries a command out and records it. Work that takes time becomes a job.
+  /// Fails with: InvalidArgument and what reading the file fails with; nothing has changed then,
+  /// nothing is recorded, and the notices say why.
+  Result<void> execute(const SessionCommand& command);
+
+  /// Opens a copy that a crash left behind; the plan counts as not saved.
+  Result<void> recover(const std::filesystem::path& copy);
+
+  /// Puts what jobs have finished in place; true when something changed.
+  bool poll();
+  /// Polls until all jobs are done. For runs without a window.
+  void wait();
+  void cancel_jobs() { jobs_.cancel_all(); }
+  /// Whether results are prepared for drawing; on unless told otherwise.
+  void set_views(bool wants_views) { wants_views_ = wants_views; }
+  std::vector<JobStatus> jobs() const { return jobs_.status(); }
+  bool is_busy() const { return !jobs_.is_idle(); }
+
+  const Document& document() const { return history_.current(); }
+  const History& history() const { return history_; }
+  /// The project file that was opened or saved last; empty for a mesh.
+  const std::filesystem::path& project_path() const { return project_path_; }
+  /// Whether the plan differs from what was opened or saved last.
+  bool is_modified() const;
+
+  /// Reconstruct after every change of the plan. No command: never part of a log.
+  void set_live(bool is_live);
+  bool is_live() const { return is_live_; }
+  /// Searches again with other settings and seeds, so that there is a choice of trees.
+  void search_variants();
+
+  /// All results for the mesh, oldest first.
+  const std::vector<std::shared_ptr<const FoundResult>>& results() const { return results_; }
+  /// The result for the plan as it is; null when there is none yet.
+  std::shared_ptr<const FoundResult> current_result() const;
+  /// The current result, or the last one while the plan has none. Null when there is none at all.
+  std::shared_ptr<const FoundResult> shown_result() const;
+  /// What is drawn of the shown result; null until its job is done.
+  std::shared_ptr<const ResultView> result_view() const;
+  /// Why the last search for the present plan failed; empty when it did not.
+  const std::string& failure() const { return failure_; }
+
+  /// Triangles and lines of the document's mesh; null while there is none.
+  std::shared_ptr<const DisplayMesh> display();
+
+  const std::vector<Notice>& notices() const { return notices_; }
+  void notify(Severity severity, std::string text);
+  void dismiss(std::size_t notice);
+  /// Set by errors since the last call; a replay stops there.
+  bool take_failed() { return std::exchange(has_failed_, false); }
+
+  /// Everything done so far, one command a line; `replay` reads it.
+  const std::string& log() const { return log_; }
+  /// Grows with every change of document, results or notices.
+  std::uint64_t revision() const { return revision_; }
+
+ private:
+  Result<void> carry_out(const SessionCommand& command);
+  Result<void> open(const std::filesystem::path& path);
+  Result<void> save(const std::filesystem::path& path);
+  Result<void> export_tree(const ExportTree& command);
+  Result<void> start_search();
+  void plan_changed();
+  void start_reading();
+  void adopt_source(const std::string& key, Result<SegmentedMesh> read,
+                    std::shared_ptr<const DisplayMesh> display);
+  void adopt_result(std::shared_ptr<const FoundResult> result);
+  void start_view(const std::shared_ptr<const FoundResult>& result);
+  int add_search(const Project& project, std::string source);
+  void report(const Error& error);
+
+  History history_;
+  std::filesystem::path project_path_;
+  std::string saved_plan_;
+  bool is_live_ = false;
+  std::vector<std::shared_ptr<const FoundResult>> results_;
+  std::shared_ptr<const FoundResult> last_result_;
+  std::shared_ptr<const FoundResult> view_of_;
+  std::shared_ptr<const ResultView> view_;
+  bool wants_views_ = true;
+  std::string failure_;
+  int search_job_ = 0;
+  std::string searched_plan_;
+  std::vector<int> variant_jobs_;
+  std::shared_ptr<const PreparedMesh> display_of_;
+  std::shared_ptr<const DisplayMesh> display_;
+  std::vector<Notice> notices_;
+  bool has_failed_ = false;
+  std::string log_;
+  std::uint64_t revision_ = 1;
+  JobQueue jobs_;  ///< last: its worker must end before the rest goes
+};
+
+}  // namespace hewn

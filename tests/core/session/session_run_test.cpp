@@ -1,0 +1,258 @@
+#include <doctest/doctest.h>
+
+#include "core/base/file.h"
+#include "core/session/recovery.h"
+#include "core/session/replay.h"
+#include "core/session/session.h"
+#include "tests/core/session/session_fixture.h"
+
+namespace hewn {
+namespace {
+
+using testing::hole;
+using testing::one_thread;
+using testing::SessionFolder;
+
+/// A session on the plate, read and ready.
+struct OpenSession {
+  SessionFolder folder{"run"};
+  Session session{one_thread()};
+  OpenSession() {
+    session.set_views(false);
+    REQUIRE(session.execute(OpenFile{folder.plate()}));
+    session.wait();
+    REQUIRE(session.document().is_ready());
+  }
+};
+
+TEST_CASE("a hole as a subtracted partition becomes a plate minus a cylinder") {
+  OpenSession open;
+  Session& session = open.session;
+  CHECK(session.document().prepared->segmentation.groups.size() == 7);
+  REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
+  CHECK(expression_text(session.document().project.root) == "body - holes");
+  REQUIRE(session.execute(Reconstruct{}));
+  session.wait();
+  const auto result = session.current_result();
+  REQUIRE(result);
+  CHECK(literal_count(result->found.tree) == 2);
+  CHECK(result->found.score.iou > 0.99);
+}
+
+TEST_CASE("undo brings back the result of the earlier plan without a new search") {
+  OpenSession open;
+  Session& session = open.session;
+  REQUIRE(session.execute(Reconstruct{}));
+  session.wait();
+  const auto first = session.current_result();
+  REQUIRE(first);
+  REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
+  CHECK_FALSE(session.current_result());
+  CHECK(session.shown_result() == first);  // until the new plan has one
+  REQUIRE(session.execute(Undo{}));
+  CHECK(session.current_result() == first);
+  CHECK(session.jobs().empty());
+}
+
+TEST_CASE("a cut through a partition gives both halves to it") {
+  OpenSession open;
+  Session& session = open.session;
+  REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
+  REQUIRE(session.execute(AddCut{{Vec3::UnitZ(), 1.0, hole()}}));
+  CHECK(session.document().prepared->segmentation.groups.size() == 8);
+  const auto views = partition_views(session.document());
+  REQUIRE(views.size() == 2);
+  CHECK(views[1].partition.groups.size() == 2);
+  REQUIRE(session.execute(DeleteCut{0}));
+  CHECK(partition_views(session.document())[1].partition.groups.size() == 1);
+}
+
+TEST_CASE("merging the halves of a cut gives one group again") {
+  OpenSession open;
+  Session& session = open.session;
+  REQUIRE(session.execute(AddCut{{Vec3::UnitZ(), 1.0, hole()}}));
+  REQUIRE(session.execute(MergeGroups{{{Vec3(3, 0, 3), -1}, {Vec3(3, 0, -3), -1}}}));
+  CHECK(session.document().prepared->segmentation.groups.size() == 7);
+  REQUIRE(session.execute(DeleteMerge{0}));
+  CHECK(session.document().prepared->segmentation.groups.size() == 8);
+}
+
+TEST_CASE("moving a partition below another keeps its groups") {
+  OpenSession open;
+  Session& session = open.session;
+  REQUIRE(session.execute(AddPartition{{}, "a", Op::Union, {{Vec3(20, 0, 0), -1}}}));
+  REQUIRE(session.execute(AddPartition{{}, "b", Op::Difference, hole()}));
+  REQUIRE(session.execute(MovePartition{{0}, {1}, 0}));
+  CHECK(expression_text(session.document().project.root) == "body - (b + a)");
+  CHECK_FALSE(session.execute(MovePartition{{0}, {0, 0}, 0}));  // below itself
+  REQUIRE(session.execute(Undo{}));
+  CHECK(expression_text(session.document().project.root) == "body + a - b");
+}
+
+TEST_CASE("what cannot be done changes nothing, is not recorded and is said") {
+  OpenSession open;
+  Session& session = open.session;
+  const std::string plan = plan_text(session.document().project);
+  const std::string log = session.log();
+  CHECK_FALSE(session.execute(AddCut{{Vec3::UnitZ(), 100.0, {}}}));
+  CHECK_FALSE(session.execute(DeleteCut{0}));
+  CHECK_FALSE(session.execute(SetOption{"tree", "starts", "-1"}));
+  CHECK_FALSE(session.execute(OpenFile{"/no/such/mesh.stl"}));
+  CHECK(plan_text(session.document().project) == plan);
+  CHECK(session.log() == log);
+  CHECK(session.notices().size() == 4);
+  CHECK_FALSE(session.history().can_undo());
+}
+
+TEST_CASE("an option of the segmentation has the mesh divided anew; undo needs no job") {
+  OpenSession open;
+  Session& session = open.session;
+  REQUIRE(session.execute(SetOption{"segment", "method", "curvature"}));
+  CHECK_FALSE(session.document().is_ready());
+  session.wait();
+  CHECK(session.document().is_ready());
+  REQUIRE(session.execute(Undo{}));
+  CHECK(session.document().is_ready());
+  CHECK(session.document().prepared->segmentation.groups.size() == 7);
+}
+
+TEST_CASE("the newest plan wins over a search that is still running") {
+  OpenSession open;
+  Session& session = open.session;
+  session.set_live(true);
+  REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
+  session.wait();
+  REQUIRE(session.current_result());
+  CHECK(session.current_result()->found.partitions.size() == 2);
+}
+
+TEST_CASE("a picked result puts its plan in place, and undo takes it back") {
+  OpenSession open;
+  Session& session = open.session;
+  REQUIRE(session.execute(Reconstruct{}));
+  session.wait();
+  session.search_variants();
+  session.wait();
+  REQUIRE(session.results().size() == 7);
+  const auto variant = session.results().back();
+  REQUIRE(session.execute(SetPlan{variant->plan}));
+  CHECK(session.current_result() == variant);
+  CHECK(session.document().is_ready());
+  REQUIRE(session.execute(Undo{}));
+  CHECK(session.current_result() == session.results().front());
+}
+
+TEST_CASE("a replayed log writes the same files and ends at the same plan") {
+  OpenSession open;
+  Session& session = open.session;
+  REQUIRE(session.execute(AddCut{{Vec3::UnitX(), 7.0, {}}}));
+  REQUIRE(session.execute(Undo{}));
+  REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
+  REQUIRE(session.execute(ExportTree{open.folder / "out.scad"}));
+  session.wait();
+  const auto recorded = read_file(open.folder / "out.scad");
+  REQUIRE(recorded);
+  std::filesystem::remove(open.folder / "out.scad");
+  const auto replayed = replay_log(session.log(), "log", one_thread());
+  REQUIRE(replayed);
+  CHECK(replayed->commands == 5);
+  CHECK(replayed->plan == plan_text(session.document().project));
+  CHECK(*read_file(open.folder / "out.scad") == *recorded);
+}
+
+TEST_CASE("a bad line of a log is named by its number") {
+  const auto unknown = replay_log("\n{\"command\": \"fly\"}\n", "log", one_thread());
+  REQUIRE_FALSE(unknown);
+  CHECK(unknown.error().where == "log:2");
+  CHECK(unknown.error().message.find("fly") != std::string::npos);
+  const auto missing = replay_log("{\"command\": \"delete-cut\"}", "log", one_thread());
+  REQUIRE_FALSE(missing);
+  CHECK(missing.error().code == ErrorCode::Format);
+}
+
+TEST_CASE("the colours' mesh has the groups' labels and lines between them only") {
+  OpenSession open;
+  const auto display = open.session.display();
+  REQUIRE(display);
+  CHECK(display->labels == 7);
+  CHECK(display->corners.size() == 3 * open.session.document().prepared->mesh->triangles.size());
+  CHECK(display->lines.size() % 2 == 0);
+  // 12 edges of the plate, of which rims of the hole have 32 lines each.
+  CHECK(display->lines.size() / 2 >= 12 + 64);
+  for (const DisplayLineEnd& end : display->lines) CHECK(end.labels[0] != end.labels[1]);
+}
+
+TEST_CASE("the groups that a plane would divide are counted") {
+  OpenSession open;
+  const PreparedMesh& prepared = *open.session.document().prepared;
+  const std::vector<int> all = {0, 1, 2, 3, 4, 5, 6};
+  CHECK(groups_crossed(prepared, all, Vec3::UnitZ(), 0) == 5);  // four sides and the hole
+  CHECK(groups_crossed(prepared, all, Vec3::UnitZ(), 4) == 0);  // the top itself
+}
+
+TEST_CASE("what is drawn of a result measures the input against it") {
+  OpenSession open;
+  Session& session = open.session;
+  REQUIRE(session.execute(Reconstruct{}));
+  session.set_views(true);
+  session.wait();
+  session.poll();
+  session.wait();
+  const auto view = session.result_view();
+  REQUIRE(view);
+  CHECK(view->problem.empty());
+  CHECK_FALSE(view->surface.corners.empty());
+  CHECK(view->surface.labels == 2);
+  CHECK(view->max_deviation < 1e-3);  // all vertices lie on the true surfaces
+}
+
+TEST_CASE("an unsaved plan is copied once a minute and the copy goes with the session") {
+  OpenSession open;
+  Session& session = open.session;
+  REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
+  CHECK(session.is_modified());
+  const auto folder = open.folder / "state";
+  std::filesystem::path copy;
+  {
+    Autosave autosave(folder);
+    const auto start = Autosave::Clock::now();
+    REQUIRE(autosave.update(session.document().project, session.is_modified(), start));
+    copy = autosave.file();
+    const std::string first = *read_file(copy);
+    REQUIRE(session.execute(RenamePartition{{0}, "bore"}));
+    REQUIRE(autosave.update(session.document().project, true, start + std::chrono::seconds(59)));
+    CHECK(*read_file(copy) == first);
+    REQUIRE(autosave.update(session.document().project, true, start + std::chrono::seconds(60)));
+    CHECK(*read_file(copy) != first);
+    CHECK(find_recoverable(folder).empty());  // its owner lives
+    std::filesystem::copy_file(copy, folder / "unsaved-999999999.json");
+  }
+  CHECK_FALSE(std::filesystem::exists(copy));
+  const auto left = find_recoverable(folder);
+  REQUIRE(left.size() == 1);
+  Session next(one_thread());
+  next.set_views(false);
+  REQUIRE(next.recover(left[0]));
+  next.wait();
+  CHECK(next.is_modified());
+  CHECK(expression_text(next.document().project.root) == "body - bore");
+  CHECK(next.document().is_ready());
+}
+
+TEST_CASE("saving and opening a project keeps the plan; a full disk keeps the old file") {
+  OpenSession open;
+  Session& session = open.session;
+  REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
+  REQUIRE(session.execute(SaveProject{open.folder / "plate.json"}));
+  CHECK_FALSE(session.is_modified());
+  CHECK_FALSE(session.execute(SaveProject{open.folder / "no" / "folder.json"}));
+  CHECK(session.project_path() == open.folder / "plate.json");
+  Session second(one_thread());
+  second.set_views(false);
+  REQUIRE(second.execute(OpenFile{open.folder / "plate.json"}));
+  second.wait();
+  CHECK(plan_text(second.document().project) == plan_text(session.document().project));
+}
+
+}  // namespace
+}  // namespace hewn
