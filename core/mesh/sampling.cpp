@@ -45,6 +45,18 @@ Vec3 sample_box(const Box3& box, Rng& rng) {
   return p;
 }
 
+Line draw_line(const Vec3& center, double radius, Rng& rng) {
+  const double z = rng.uniform(-1, 1);
+  const double turn = rng.uniform(0, 2 * kPi);
+  const double flat = std::sqrt(std::max(0.0, 1 - z * z));
+  const Vec3 direction(flat * std::cos(turn), flat * std::sin(turn), z);
+  const double reach = radius * std::sqrt(rng.uniform());
+  const double angle = rng.uniform(0, 2 * kPi);
+  const Tangents frame = tangents(direction);
+  const Vec3 middle = center + reach * (std::cos(angle) * frame.u + std::sin(angle) * frame.w);
+  return {middle - 2 * radius * direction, direction};
+}
+
 Vec3 sample_triangle(const Mesh& mesh, int triangle, Rng& rng) {
   const double root = std::sqrt(rng.uniform());
   const double share = rng.uniform();

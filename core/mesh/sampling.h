@@ -31,6 +31,16 @@ class SurfaceSampler {
 /// A uniform point of the box.
 Vec3 sample_box(const Box3& box, Rng& rng);
 
+struct Line {
+  Vec3 origin = Vec3::Zero();
+  Vec3 direction = Vec3::UnitZ();
+};
+
+/// A line that is uniform among those that meet the ball; its origin lies outside the ball, and
+/// whatever is in the ball at positive lengths of its unit direction. Such lines meet every surface
+/// in the ball in proportion to its area (Crofton).
+Line draw_line(const Vec3& center, double radius, Rng& rng);
+
 /// A uniform point of a triangle.
 Vec3 sample_triangle(const Mesh& mesh, int triangle, Rng& rng);
 

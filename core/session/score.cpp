@@ -130,19 +130,6 @@ struct LineSample {
   std::size_t on_polyhedra = 0;
 };
 
-/// A line that is uniform among those that meet the ball.
-void draw_line(const Vec3& center, double radius, Rng& rng, Vec3& origin, Vec3& direction) {
-  const double z = rng.uniform(-1, 1);
-  const double turn = rng.uniform(0, 2 * kPi);
-  const double flat = std::sqrt(std::max(0.0, 1 - z * z));
-  direction = Vec3(flat * std::cos(turn), flat * std::sin(turn), z);
-  const double reach = radius * std::sqrt(rng.uniform());
-  const double angle = rng.uniform(0, 2 * kPi);
-  const Tangents frame = tangents(direction);
-  origin = center + reach * (std::cos(angle) * frame.u + std::sin(angle) * frame.w) -
-           2 * radius * direction;
-}
-
 /// Joins stretches that touch but for rounding, and drops those as short as rounding: abutting
 /// solids have no surface between them.
 void join_touching(std::vector<TreeInterval>& stretches, double rounding) {
@@ -167,15 +154,14 @@ void score_tree_surface(const MeshQuery& query, const Tree& tree, int points, co
   const TreeRays rays(tree);
   std::vector<LineSample> lines(static_cast<std::size_t>(points));
   sample_all(lines.size(), kLineStream, run, [&](std::size_t i, Rng& rng) {
-    Vec3 origin;
-    Vec3 direction;
-    draw_line(box.center(), 0.5 * box.diagonal(), rng, origin, direction);
+    const Line line = draw_line(box.center(), 0.5 * box.diagonal(), rng);
     TreeRayScratch scratch;
-    std::vector<TreeInterval> stretches = rays.cast(origin, direction, scratch);
+    std::vector<TreeInterval> stretches = rays.cast(line.origin, line.direction, scratch);
     join_touching(stretches, kTouching * diagonal);
     for (const TreeInterval& stretch : stretches) {
       for (const TreeCrossing& c : {stretch.enter, stretch.leave}) {
-        lines[i].distances.push_back(query.closest(origin + c.t * direction).distance / diagonal);
+        lines[i].distances.push_back(query.closest(line.origin + c.t * line.direction).distance /
+                                     diagonal);
         lines[i].on_polyhedra +=
             c.literal >= 0 && tree.literals[c.literal].kind == SolidKind::Polyhedron;
       }

@@ -19,8 +19,10 @@
 namespace hewn {
 namespace {
 
-/// Agreements closer than this are equal; the smaller list then wins.
-constexpr double kSameAgreement = 3e-5;
+/// Errors closer than this are equal; the smaller list then wins.
+constexpr double kSameError = 3e-5;
+/// What a wrong share of the points along lines counts beside one of the uniform points.
+constexpr double kLineWeight = 0.1;
 constexpr int kFewCounterexamples = 3;
 constexpr std::size_t kMaxDensified = 2000;
 constexpr int kDensifyCopies = 4;
@@ -263,15 +265,16 @@ class TreeSearch {
   bool check_round(int round) {
     answer_.rounds = round + 1;
     const ListSolid solid(current_.list, surfaces_.halfspaces, space_.frame, current_.is_clipped());
-    Verification v = verify_list(
-        space_, current_.list, [&solid](const Vec3& p) { return solid.contains(p); }, {},
-        stream(round, 0), run_);
-    const bool is_better =
-        !best_ || v.agreement > best_agreement_ + kSameAgreement ||
-        (v.agreement > best_agreement_ - kSameAgreement && current_.cost() < best_->cost());
+    const Tree tree = lowered(current_.list, current_.is_clipped());
+    const SolidTest contains = [&solid](const Vec3& p) { return solid.contains(p); };
+    Verification v =
+        verify_list(space_, {current_.list, contains, tree}, {}, stream(round, 0), run_);
+    const double error = (1 - v.agreement) + kLineWeight * (1 - v.line_agreement);
+    const bool is_better = !best_ || error < best_error_ - kSameError ||
+                           (error < best_error_ + kSameError && current_.cost() < best_->cost());
     if (is_better) {
       best_ = current_;
-      best_agreement_ = v.agreement;
+      best_error_ = error;
     }
     if (round == options_.rounds) return false;
     if (static_cast<int>(v.counterexamples.size()) < kFewCounterexamples) return false;
@@ -300,13 +303,9 @@ class TreeSearch {
     Solution solution = *best_;
     for (TermPtr& item : solution.list.items) item = with_cover(*columns_, *item);
     relax_list(space_of(solution), surfaces_, solution.list);
-    LoweringOptions lowering;
-    lowering.is_tool = problem_.is_subtracted;
-    const Mesh& mesh = problem_.query->mesh();
-    answer_.tree = lower_list(solution.list, surfaces_, mesh, triangles_, space_.frame, lowering);
+    answer_.tree = lowered(solution.list, false);
     if (solution.is_clipped() && !problem_.is_subtracted && reaches_outside(answer_.tree)) {
-      lowering.clip = true;
-      answer_.tree = lower_list(solution.list, surfaces_, mesh, triangles_, space_.frame, lowering);
+      answer_.tree = lowered(solution.list, true);
     }
     answer_.halfspaces = static_cast<int>(surfaces_.halfspaces.size());
     answer_.agreement = measure_agreement(
@@ -314,6 +313,14 @@ class TreeSearch {
         run_);
     if (run_.is_cancelled()) return RunContext::cancelled();
     return std::move(answer_);
+  }
+
+  /// The list as a tree; `clip` cuts it to the frame's box unless it is a tool.
+  Tree lowered(const DecisionList& list, bool clip) const {
+    LoweringOptions options;
+    options.is_tool = problem_.is_subtracted;
+    options.clip = clip && !options.is_tool;
+    return lower_list(list, surfaces_, problem_.query->mesh(), triangles_, space_.frame, options);
   }
 
   /// Whether the tree holds points outside the frame's box that the labels do not.
@@ -341,7 +348,7 @@ class TreeSearch {
   std::array<SearchSpace, 2> spaces_;  ///< everywhere; inside the frame's box only
   Solution current_;
   std::optional<Solution> best_;
-  double best_agreement_ = 0;
+  double best_error_ = 0;
   TreeAnswer answer_;
 };
 

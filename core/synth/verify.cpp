@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/compute/parallel.h"
+#include "core/csg/tree_ray.h"
 #include "core/mesh/sampling.h"
 
 namespace hewn {
@@ -29,6 +30,10 @@ bool is_near_inexact(const SampleSpace& space, const Vec3& p) {
 
 struct Tally {
   long right = 0, wrong = 0;
+  double agreement() const {
+    const long total = right + wrong;
+    return total == 0 ? 1 : static_cast<double>(right) / static_cast<double>(total);
+  }
 };
 
 /// Compares proposed points; keeps the certain wrong ones.
@@ -133,6 +138,34 @@ Proposal term_boundaries(const SampleSpace& space, const DecisionList& list, int
   };
 }
 
+constexpr std::size_t kLinesPerChunk = 64;
+
+/// Proposes points along random lines of the tree's box: midway between crossings of its surface,
+/// where a whole slot or plug may be wrong, and close to them on both sides.
+Proposal along_lines(const SampleSpace& space, const TreeRays& rays) {
+  return [&space, &rays, box = rays.tree().bounds()](std::size_t, Rng& rng, const auto& emit) {
+    TreeRayScratch scratch;
+    std::vector<double> crossings;
+    for (std::size_t i = 0; i < kLinesPerChunk; ++i) {
+      const Line line = draw_line(box.center(), 0.5 * box.diagonal(), rng);
+      crossings.clear();
+      for (const TreeInterval& inside : rays.cast(line.origin, line.direction, scratch)) {
+        crossings.push_back(inside.enter.t);
+        crossings.push_back(inside.leave.t);
+      }
+      for (std::size_t k = 0; k + 1 < crossings.size(); ++k) {
+        const double half = 0.5 * (crossings[k + 1] - crossings[k]);
+        const double reach =
+            std::min(half, space.diagonal * std::pow(10, -4.3 + 2.3 * rng.uniform()));
+        for (const double t :
+             {crossings[k] + reach, crossings[k] + half, crossings[k + 1] - reach}) {
+          emit(line.origin + t * line.direction);
+        }
+      }
+    }
+  };
+}
+
 Proposal uniform(const SampleSpace& space) {
   return [&space](std::size_t, Rng& rng, const auto& emit) {
     for (std::size_t i = 0; i < kChunk; ++i) emit(sample_in_box(space, 0, rng));
@@ -157,18 +190,15 @@ bool ListSolid::contains(const Vec3& p) const {
   return list_->base;
 }
 
-Verification verify_list(const SampleSpace& space, const DecisionList& list, const SolidTest& solid,
+Verification verify_list(const SampleSpace& space, const Candidate& candidate,
                          const VerifyOptions& options, std::uint64_t stream,
                          const RunContext& run) {
   Verification result;
-  const Comparison comparison(space, solid, stream, run);
+  const DecisionList& list = candidate.list;
+  const Comparison comparison(space, candidate.contains, stream, run);
   auto& wrong = result.counterexamples;
-  const Tally tally =
-      comparison.compare(chunks_of(options.uniform_points), 1, uniform(space), wrong);
-  if (tally.right + tally.wrong > 0) {
-    result.agreement =
-        static_cast<double>(tally.right) / static_cast<double>(tally.right + tally.wrong);
-  }
+  result.agreement =
+      comparison.compare(chunks_of(options.uniform_points), 1, uniform(space), wrong).agreement();
   std::vector<int> owned;
   for (std::size_t g = 0; g < space.segmentation->groups.size(); ++g) {
     if (!space.label->owns_group(static_cast<int>(g))) continue;
@@ -185,6 +215,12 @@ Verification verify_list(const SampleSpace& space, const DecisionList& list, con
   comparison.compare(chunks_of(options.around_points), 3, around, wrong);
   comparison.compare(list.items.size(), 4, term_boundaries(space, list, options.points_per_literal),
                      wrong);
+  if (!candidate.tree.is_empty()) {
+    const TreeRays rays(candidate.tree);
+    const std::size_t chunks = static_cast<std::size_t>(options.lines) / kLinesPerChunk;
+    result.line_agreement =
+        comparison.compare(chunks, 5, along_lines(space, rays), wrong).agreement();
+  }
   return result;
 }
 
@@ -192,9 +228,7 @@ double measure_agreement(const SampleSpace& space, const SolidTest& solid, int p
                          std::uint64_t stream, const RunContext& run) {
   std::vector<LabelledPoint> ignored;
   const Comparison comparison(space, solid, stream, run);
-  const Tally tally = comparison.compare(chunks_of(points), 1, uniform(space), ignored);
-  const long total = tally.right + tally.wrong;
-  return total == 0 ? 1 : static_cast<double>(tally.right) / static_cast<double>(total);
+  return comparison.compare(chunks_of(points), 1, uniform(space), ignored).agreement();
 }
 
 }  // namespace hewn

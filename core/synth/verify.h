@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/csg/tree.h"
 #include "core/sample/sample_table.h"
 #include "core/synth/decompose/term.h"
 
@@ -29,6 +30,8 @@ class ListSolid {
 struct Verification {
   /// Share of the fresh uniform points, away from inexact surfaces, that are classified right.
   double agreement = 1;
+  /// The same for the points along lines, which weigh features by their surface, not their volume.
+  double line_agreement = 1;
   /// Points classified wrong, fit to join the sample table.
   std::vector<LabelledPoint> counterexamples;
 };
@@ -38,12 +41,21 @@ struct VerifyOptions {
   int near_points = 16000;
   int around_points = 12000;
   int points_per_literal = 40;  ///< on both sides of the list's own term boundaries
+  int lines = 2000;             ///< through the tree, see `Candidate::tree`
 };
 
-/// Compares `solid` with the labels on fresh points: uniform, near the surface, around the box,
-/// and on the boundaries of the list's own terms (finds sheets and slots far from the mesh).
-/// `stream` selects the random numbers.
-Verification verify_list(const SampleSpace& space, const DecisionList& list, const SolidTest& solid,
+/// What is verified, in three forms of the same solid.
+struct Candidate {
+  const DecisionList& list;
+  const SolidTest& contains;
+  const Tree& tree;  ///< the list lowered, for lines through its surface
+};
+
+/// Compares the candidate with the labels on fresh points: uniform, near the mesh's surface, around
+/// the box, on the boundaries of the list's own terms, and along random lines on both sides of the
+/// tree's surface and midway between its crossings (both find sheets, slots and plugs that are
+/// small in volume). `stream` selects the random numbers.
+Verification verify_list(const SampleSpace& space, const Candidate& candidate,
                          const VerifyOptions& options, std::uint64_t stream, const RunContext& run);
 
 /// The share of fresh uniform points that `solid` classifies as the labels do.
