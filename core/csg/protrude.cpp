@@ -3,24 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/csg/flat_end.h"
+
 namespace hewn {
 namespace {
-
-/// The flat end of a literal: the local axis it is at right angles to, and its side.
-struct FlatEnd {
-  int axis = 2;
-  bool is_upper = false;
-};
-
-/// A box in a literal's local coordinates.
-struct Cell {
-  Vec3 lo, hi;
-  Vec3 center() const { return (lo + hi) / 2; }
-};
-
-double radius_at(const Literal& s, double z) {
-  return s.radius + (s.top_radius - s.radius) * z / s.height;
-}
 
 class Protruder {
  public:
@@ -44,17 +30,15 @@ class Protruder {
     const Node& tool = tree_.nodes[difference.children[index]];
     if (tool.op != Op::Literal) return;
     Literal& literal = tree_.literals[tool.literal];
-    const bool is_box = literal.kind == SolidKind::Box;
-    if (!is_box && literal.kind != SolidKind::Cylinder) return;
+    const std::vector<FlatEnd> ends = flat_ends(literal);
+    if (ends.empty()) return;
     // What is left for this tool to cut: the first operand less the other tools.
     rest_.nodes = tree_.nodes;
     rest_.literals = tree_.literals;
     std::vector<int> others = difference.children;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(index));
     rest_.root = rest_.add_node(Op::Difference, std::move(others));
-    for (int axis = is_box ? 0 : 2; axis < 3; ++axis) {
-      for (const bool is_upper : {false, true}) extend_end(literal, {axis, is_upper});
-    }
+    for (const FlatEnd end : ends) extend_end(literal, end);
   }
 
   void extend_end(Literal& literal, FlatEnd end) const {
@@ -62,48 +46,12 @@ class Protruder {
     const double most = std::pow(10, std::floor(std::log10(diagonal_ / 10)));
     for (const double share : {1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01}) {
       const double amount = most * share;
-      const Literal longer = extended(literal, end, amount);
-      if (longer.radius < 0 || longer.top_radius < 0) continue;
+      const Literal longer = with_moved_end(literal, end, amount);
+      if (!is_valid_flat(longer)) continue;
       if (!is_clear(literal, end, amount)) continue;
       literal = longer;
       return;
     }
-  }
-
-  static Literal extended(Literal s, FlatEnd end, double amount) {
-    if (s.kind == SolidKind::Box) {
-      s.size[end.axis] += amount;
-    } else {
-      const double slope = (s.top_radius - s.radius) / s.height;
-      if (end.is_upper) s.top_radius += slope * amount;
-      if (!end.is_upper) s.radius -= slope * amount;
-      s.height += amount;
-    }
-    if (!end.is_upper) s.origin[end.axis] -= amount;
-    return s;
-  }
-
-  /// The box around what lies between `from` and `to` beyond the end.
-  static Cell beyond(const Literal& s, FlatEnd end, double from, double to) {
-    Cell cell;
-    if (s.kind == SolidKind::Box) {
-      cell = {Vec3::Zero(), s.size};
-    } else {
-      const double r = std::max(s.radius, s.top_radius);
-      cell = {Vec3(-r, -r, 0), Vec3(r, r, s.height)};
-    }
-    const double face = end.is_upper ? cell.hi[end.axis] : cell.lo[end.axis];
-    const double sign = end.is_upper ? 1 : -1;
-    cell.lo[end.axis] = std::min(face + sign * from, face + sign * to);
-    cell.hi[end.axis] = std::max(face + sign * from, face + sign * to);
-    return cell;
-  }
-
-  static bool is_over_end(const Literal& s, FlatEnd end, const Vec3& local, double margin) {
-    if (s.kind == SolidKind::Box) return true;
-    const double r = end.is_upper ? std::max(s.top_radius, radius_at(s, local.z()))
-                                  : std::max(s.radius, radius_at(s, local.z()));
-    return std::hypot(local.x(), local.y()) < r + margin;
   }
 
   double rest_at(const Literal& s, const Vec3& local) const {
@@ -113,7 +61,7 @@ class Protruder {
   /// Whether some of the solid lies right under the end and none right above it.
   bool is_flush(const Literal& s, FlatEnd end) const {
     const double touching = kTouching * diagonal_;
-    const Cell plane = beyond(s, end, 0, 0);
+    const LocalBox plane = beyond_end(s, end, 0, 0);
     const Vec3 outward = Vec3::Unit(end.axis) * (end.is_upper ? 1 : -1);
     const int u = (end.axis + 1) % 3;
     const int v = (end.axis + 2) % 3;
@@ -130,13 +78,13 @@ class Protruder {
   }
 
   bool is_clear(const Literal& s, FlatEnd end, double amount) const {
-    return is_clear(s, end, beyond(s, end, kTouching * diagonal_, amount));
+    return is_clear(s, end, beyond_end(s, end, kTouching * diagonal_, amount));
   }
 
   /// Bisects until distances prove each cell empty; cells that only touch the solid count as empty
   /// once they are small.
-  bool is_clear(const Literal& s, FlatEnd end, const Cell& cell) const {
-    const Vec3 size = cell.hi - cell.lo;
+  bool is_clear(const Literal& s, FlatEnd end, const LocalBox& cell) const {
+    const Vec3 size = cell.size();
     const double reach = size.norm() / 2;
     const Vec3 middle = cell.center();
     if (!is_over_end(s, end, middle, reach)) return true;
@@ -145,8 +93,8 @@ class Protruder {
     if (distance < -kTouching * diagonal_ && is_over_end(s, end, middle, 0)) return false;
     int axis = 0;
     if (size.maxCoeff(&axis) < diagonal_ / kFinestCell) return true;
-    Cell lower = cell;
-    Cell upper = cell;
+    LocalBox lower = cell;
+    LocalBox upper = cell;
     lower.hi[axis] = upper.lo[axis] = middle[axis];
     return is_clear(s, end, lower) && is_clear(s, end, upper);
   }

@@ -9,6 +9,7 @@
 
 #include "core/base/file.h"
 #include "core/csg/protrude.h"
+#include "core/csg/turned_faces.h"
 #include "core/io/scad_literal.h"
 #include "core/io/scad_names.h"
 
@@ -254,7 +255,7 @@ std::string header_text(const Tree& tree, const ScadHeader& header, const ScadSt
 
 std::string to_openscad(const Tree& tree, const ScadHeader& header, const ScadOptions& options) {
   Tree plain = without_complements(tree);
-  if (options.extend_tools) plain = with_protruding_tools(plain);
+  if (options.extend_tools) plain = with_turned_faces_apart(with_protruding_tools(plain));
   const ScadStyle style = style_for(plain, options);
   return header_text(plain, header, style) +
          fmt::format("\n$fn = {};\n\n", std::max(3, options.segments)) +

@@ -1,0 +1,99 @@
+#include "core/csg/turned_faces.h"
+
+#include <doctest/doctest.h>
+
+#include "core/base/math.h"
+
+namespace hewn {
+namespace {
+
+Mat3 turned_about_z(double angle_rad) {
+  return Eigen::AngleAxisd(angle_rad, Vec3::UnitZ()).toRotationMatrix();
+}
+
+Literal box(const Vec3& lo, const Vec3& hi, const Mat3& rotation = Mat3::Identity()) {
+  Literal s;
+  s.rotation = rotation;
+  s.origin = lo;
+  s.size = hi - lo;
+  return s;
+}
+
+/// A plate at rest, so large that it sets the main axes together with a second one.
+struct Fixture {
+  Tree tree;
+  Mat3 turn = turned_about_z(0.3);
+  int plate = tree.add_literal(box({-5, -5, -3}, {5, 5, -2}));
+  int second = tree.add_literal(box({-5, -5, -4}, {5, 5, -3}));
+  int third = tree.add_literal(box({-5, -5, -5}, {5, 5, -4}));
+
+  const Literal& literal(const Tree& t, int node) const {
+    return t.literals[t.nodes[node].literal];
+  }
+};
+
+TEST_CASE("a turned tool that ends flush with what it cuts reaches through") {
+  Fixture f;
+  const int bar = f.tree.add_literal(box({0, 0, 0}, {2, 2, 2}, f.turn));
+  const int tool = f.tree.add_literal(box({1, 0.5, 0.5}, {2, 1.5, 1.5}, f.turn));
+  const int cut = f.tree.add_node(Op::Difference, {bar, tool});
+  f.tree.root = f.tree.add_node(Op::Union, {f.plate, f.second, f.third, cut});
+  const Tree apart = with_turned_faces_apart(f.tree);
+  CHECK(f.literal(apart, tool).size == Vec3(1.0001, 1, 1));
+  CHECK(f.literal(apart, tool).origin == f.literal(f.tree, tool).origin);
+  CHECK(f.literal(apart, bar).size == Vec3(2, 2, 2));
+}
+
+TEST_CASE("turned solids back to back overlap") {
+  Fixture f;
+  const int left = f.tree.add_literal(box({0, 0, 0}, {2, 2, 2}, f.turn));
+  const int right = f.tree.add_literal(box({2, 0, 0}, {3, 2, 2}, f.turn));
+  f.tree.root = f.tree.add_node(Op::Union, {f.plate, f.second, f.third, left, right});
+  const Tree apart = with_turned_faces_apart(f.tree);
+  CHECK(f.literal(apart, left).size.x() == 2.0001);
+  CHECK(f.literal(apart, right).origin.x() == 2);
+}
+
+TEST_CASE("a solid put back over a turned cut covers the cut's end") {
+  Fixture f;
+  const int bar = f.tree.add_literal(box({0, 0, 0}, {4, 2, 2}, f.turn));
+  const int tool = f.tree.add_literal(box({1, -1, -1}, {3, 3, 3}, f.turn));
+  const int cut = f.tree.add_node(Op::Difference, {bar, tool});
+  const int plug = f.tree.add_literal(box({2, 0, 0}, {3, 2, 2}, f.turn));
+  f.tree.root = f.tree.add_node(Op::Union, {f.plate, f.second, f.third, cut, plug});
+  const Tree apart = with_turned_faces_apart(f.tree);
+  CHECK(f.literal(apart, plug).size.x() == 1.0001);
+  CHECK(f.literal(apart, tool).size == Vec3(2, 4, 4));
+}
+
+TEST_CASE("faces along the main axes, apart, or side by side stay") {
+  Fixture f;
+  const int bar = f.tree.add_literal(box({0, 0, -2}, {2, 2, 2}));  // on the plate
+  const int turned = f.tree.add_literal(box({0, 3, 0}, {2, 5, 2}, f.turn));
+  const int far = f.tree.add_literal(box({2, 8, 0}, {3, 9, 2}, f.turn));  // one plane, no overlap
+  const int gap = f.tree.add_literal(box({2.01, 3, 0}, {3, 5, 2}, f.turn));
+  f.tree.root = f.tree.add_node(Op::Union, {f.plate, f.second, f.third, bar, turned, far, gap});
+  const Tree apart = with_turned_faces_apart(f.tree);
+  for (std::size_t i = 0; i < apart.literals.size(); ++i) {
+    CHECK(apart.literals[i].size == f.tree.literals[i].size);
+    CHECK(apart.literals[i].origin == f.tree.literals[i].origin);
+  }
+}
+
+TEST_CASE("the axes of most literals are the main ones, however the tree lies") {
+  Fixture f;
+  const int a = f.tree.add_literal(box({0, 0, 0}, {2, 2, 2}, f.turn));
+  const int b = f.tree.add_literal(box({2, 0, 0}, {3, 2, 2}, f.turn));
+  const int c = f.tree.add_literal(box({3, 0, 0}, {4, 2, 2}, f.turn));
+  const int d = f.tree.add_literal(box({4, 0, 0}, {5, 2, 2}, f.turn));
+  f.tree.root = f.tree.add_node(Op::Union, {f.plate, f.second, f.third, a, b, c, d});
+  const Tree apart = with_turned_faces_apart(f.tree);
+  CHECK(f.literal(apart, a).size.x() == 2);
+  // Now the plates are the turned ones, but only their sides at an angle count.
+  CHECK(f.literal(apart, f.plate).size.z() == 1);
+}
+
+TEST_CASE("an empty tree stays empty") { CHECK(with_turned_faces_apart(Tree{}).is_empty()); }
+
+}  // namespace
+}  // namespace hewn
