@@ -8,7 +8,8 @@ namespace hewn {
 namespace {
 
 constexpr double kMaxNormalDeviation = 0.22;  // radians; of a patch from its first fit
-constexpr double kMaxSagittaRatio = 0.024;    // of the radius: steps of 25 degrees
+constexpr double kMaxSagittaRatio = 0.024;    // of the radius: steps of 25 degrees for most facets
+constexpr double kMaxSagittaOutlier = 0.062;  // and of 40 degrees for each
 constexpr double kTightRms = 0.15;            // of the sagitta: corners lie on the surface
 constexpr double kExactLooseness = 0.1;
 constexpr double kResampledSlack = 3;
@@ -178,14 +179,28 @@ class CurvedGrower {
         2 * eps, is_tight ? std::min(4e-3 * tolerance_.diagonal, 1.15 * q.sagitta)
                           : std::min(options_.max_deviation * tolerance_.diagonal, q.sagitta));
     if (q.rms_distance > 0.6 * limits.distance) return std::nullopt;
-    const bool has_one_radius = s.kind == SurfaceKind::Cylinder || s.kind == SurfaceKind::Sphere;
-    if (has_one_radius && q.sagitta > kMaxSagittaRatio * s.radius + eps) return std::nullopt;
+    if (!has_fine_facets(s, core)) return std::nullopt;
     limits.sagitta = 1.6 * q.sagitta + 2 * eps;
     limits.angle_rad = std::max(0.06, 1.6 * q.max_angle_rad);
     std::vector<int> facets = grow(s, core, limits);
     if (static_cast<int>(facets.size()) < min_facets(s.kind)) return std::nullopt;
     refine_while_growing(s, core, limits, facets);
     return judge(s, std::move(facets));
+  }
+
+  /// Whether the facets' depth suits the radius. Tessellators that work along a parameter leave
+  /// single wide facets, so most count, not the widest.
+  bool has_fine_facets(const Surface& s, const std::vector<int>& facets) const {
+    if (s.kind == SurfaceKind::Cone) return true;
+    std::vector<double> depths;
+    for (const int f : facets) {
+      depths.push_back(std::abs(s.signed_distance(graph_.facets[f].centroid)));
+    }
+    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+    std::nth_element(depths.begin(), middle, depths.end());
+    const double largest = *std::max_element(middle, depths.end());
+    return *middle <= kMaxSagittaRatio * s.radius + tolerance_.eps &&
+           largest <= kMaxSagittaOutlier * s.radius + tolerance_.eps;
   }
 
   /// How far corners may stray from a surface that meets its patch like this.
