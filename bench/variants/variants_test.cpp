@@ -5,7 +5,9 @@
 #include <doctest/doctest.h>
 
 #include "bench/variants/remesh.h"
+#include "core/fit/surface_set.h"
 #include "core/mesh/compare.h"
+#include "core/segment/segment.h"
 #include "tests/support/solids.h"
 
 namespace hewn {
@@ -45,6 +47,29 @@ TEST_CASE("sharp edges and corners survive remeshing") {
   REQUIRE(remeshed);
   CHECK(remeshed->volume == doctest::Approx(6).epsilon(1e-9));
   CHECK(remeshed->total_area == doctest::Approx(22).epsilon(1e-9));
+}
+
+TEST_CASE("a remeshed fillet and the planes that it touches come out as exact as before") {
+  const Mesh block = solids::block_with_fillet(Vec3(3, 2, 1), 0.5, 15);
+  RemeshOptions options;
+  options.min_growth = 120;  // triangles about as wide as the fillet's facets: none of them is flat
+  const auto mesh = remesh_isotropic(block, options, {});
+  REQUIRE(mesh);
+  const auto segmentation = segment(*mesh, {}, {});
+  REQUIRE(segmentation);
+  const auto set = regularise(*mesh, *segmentation, {}, {});
+  REQUIRE(set);
+  REQUIRE(set->halfspaces.size() == 7);
+  for (const Halfspace& h : set->halfspaces) {
+    if (h.surface.kind == SurfaceKind::Plane) {
+      const double offset = std::abs(h.surface.offset);
+      CHECK(offset == std::round(offset));
+      continue;
+    }
+    REQUIRE(h.surface.kind == SurfaceKind::Cylinder);
+    CHECK(h.surface.radius == doctest::Approx(0.5).epsilon(2e-3));
+    CHECK((h.surface.point.head<2>() - Vec2(2.5, 1.5)).norm() < 1e-3);
+  }
 }
 
 TEST_CASE("every variant keeps the solid up to its move and scale") {

@@ -14,7 +14,7 @@ struct FitItem {
   /// Vertices that lie on the surface within the noise when enough do (others were cut by
   /// neighbouring faces and lie on chords), else all vertices.
   std::vector<Vec3> points;
-  Vec3 center = Vec3::Zero();  ///< area-weighted, of the group's triangles
+  Vec3 center = Vec3::Zero();  ///< area-weighted, of the triangles that carry the fit
   double sigma = 0;            ///< deviation of `points`
   double extent = 0;           ///< diagonal of the group's box
   double area = 0;

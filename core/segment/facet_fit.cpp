@@ -92,6 +92,15 @@ bool FacetFitter::refine(Surface& surface, std::span<const int> facets,
   return refine_surface(surface, {points, {}, normals, centers}, fit);
 }
 
+Surface FacetFitter::plane_of(int facet) const {
+  Surface s;
+  s.axis = graph_.facets[facet].normal;
+  double sum = 0;
+  for (const int v : graph_.vertices(facet)) sum += s.axis.dot(mesh_.vertices[v]);
+  s.offset = sum / static_cast<double>(graph_.vertices(facet).size());
+  return s;
+}
+
 FitQuality FacetFitter::evaluate(const Surface& surface, std::span<const int> facets) const {
   FitQuality q;
   std::size_t count = 0;

@@ -50,6 +50,8 @@ class FacetFitter {
   /// corners are off and the planes agree.
   double refine_on_planes(Surface& cylinder, std::span<const int> facets,
                           const FitQuality& quality);
+  /// The facet's own plane: its normal is area-weighted, so more exact than any fit to corners.
+  Surface plane_of(int facet) const;
   FitQuality evaluate(const Surface& surface, std::span<const int> facets) const;
   /// Largest distance of a facet's corners.
   double max_distance(const Surface& surface, int facet) const;

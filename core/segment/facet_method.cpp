@@ -7,6 +7,7 @@
 #include "core/segment/leftovers.h"
 #include "core/segment/plane_rings.h"
 #include "core/segment/polish.h"
+#include "core/segment/relax_borders.h"
 
 namespace hewn {
 namespace {
@@ -134,8 +135,9 @@ Result<Attempt> attempt(const Mesh& mesh, const std::vector<std::array<int, 3>>&
   const Result<void> planes =
       plane_leftovers(mesh, a.graph, a.tolerance, a.groups, a.group_of, run);
   if (!planes) return planes.error();
-  // The second round profits from the better fits of the first.
-  for (int round = 0; round < 2 && a.tolerance.is_resampled; ++round) {
+  // Later rounds profit from the better fits of the first.
+  for (int round = 0; round < 3 && a.tolerance.is_resampled; ++round) {
+    if (round == 2) relax_borders(mesh, a.graph, a.tolerance, a.groups, a.group_of, run);
     merge_pieces(mesh, a.graph, a.tolerance, a.groups, a.group_of, run);
   }
   if (run.is_cancelled()) return RunContext::cancelled();

@@ -25,8 +25,7 @@ class PlaneCollector {
  public:
   PlaneCollector(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
                  std::vector<int>& group_of_facet)
-      : mesh_(mesh),
-        graph_(graph),
+      : graph_(graph),
         tolerance_(tolerance),
         fitter_(mesh, graph, tolerance),
         group_of_(group_of_facet),
@@ -34,7 +33,7 @@ class PlaneCollector {
 
   GrownGroup collect(int seed) {
     GrownGroup group;
-    group.surface = plane_of(seed);
+    group.surface = fitter_.plane_of(seed);
     group.facets = {seed};
     for (int pass = 0; pass < 2; ++pass) {
       flood(seed, group);
@@ -43,22 +42,12 @@ class PlaneCollector {
     }
     // What is small must not tilt the one large facet that it joins.
     if (graph_.facets[seed].area >= kMainShare * area_of(graph_, group)) {
-      group.surface = plane_of(seed);
+      group.surface = fitter_.plane_of(seed);
     }
     return group;
   }
 
  private:
-  /// The facet's own plane: its normal is area-weighted, so more exact than any fit to corners.
-  Surface plane_of(int f) const {
-    Surface s;
-    s.axis = graph_.facets[f].normal;
-    double sum = 0;
-    for (const int v : graph_.vertices(f)) sum += s.axis.dot(mesh_.vertices[v]);
-    s.offset = sum / static_cast<double>(graph_.vertices(f).size());
-    return s;
-  }
-
   void flood(int seed, GrownGroup& group) {
     ++stamp_;
     group.facets.assign(1, seed);
@@ -80,7 +69,6 @@ class PlaneCollector {
            facet.area <= kSmallArea * tolerance_.diagonal * tolerance_.diagonal;
   }
 
-  const Mesh& mesh_;
   const FacetGraph& graph_;
   SurfaceTolerance tolerance_;
   FacetFitter fitter_;

@@ -154,6 +154,42 @@ TEST_CASE("a fillet is told from the planes that it touches") {
   CHECK(groups_of_kind(s, SurfaceKind::Plane).size() == 6);
 }
 
+/// A bar along z over a closed polygon.
+Mesh bar(const std::vector<Vec2>& outline, double height) {
+  const int n = static_cast<int>(outline.size());
+  std::vector<Vec3> vertices;
+  for (const double z : {0.0, height}) {
+    for (const Vec2& p : outline) vertices.push_back({p.x(), p.y(), z});
+    vertices.push_back({0, 0, z});
+  }
+  std::vector<std::array<int, 3>> triangles;
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    triangles.push_back({i, j, n + 1 + j});
+    triangles.push_back({i, n + 1 + j, n + 1 + i});
+    triangles.push_back({n, j, i});
+    triangles.push_back({2 * n + 1, n + 1 + i, n + 1 + j});
+  }
+  return make_mesh(vertices, triangles);
+}
+
+TEST_CASE("single wide facets do not keep a cylinder from being one") {
+  std::vector<Vec2> outline;
+  double angle = 0;
+  for (int i = 0; i < 36; ++i) {
+    outline.push_back(Vec2(std::cos(angle), std::sin(angle)));
+    // Every third facet spans 20 degrees, two neighbouring ones 35 and 11.
+    const double step = i == 5 ? 35 : i == 6 ? 11 : i % 3 == 0 ? 20 : 8;
+    angle += step * kPi / 180;
+    if (angle > 2 * kPi - 0.1) break;
+  }
+  const Segmentation s = segmented(bar(outline, 1.5));
+  CHECK(s.groups.size() == 3);
+  const auto cylinders = groups_of_kind(s, SurfaceKind::Cylinder);
+  REQUIRE(cylinders.size() == 1);
+  CHECK(cylinders[0].surface.radius == doctest::Approx(1).epsilon(1e-6));
+}
+
 TEST_CASE("cutting flat facets into small triangles changes nothing") {
   const Mesh mesh =
       solids::transformed(solids::cylinder(0.8, 2, 36, 12), solids::oblique_transform());
