@@ -12,6 +12,7 @@ constexpr double kMinTurn = 1e-4;          // radians: directions closer than th
 constexpr double kMinDeviation = 1e-9;     // radians: no fit is more exact
 constexpr double kMaxUncertainTurn = 0.1;  // radians
 constexpr double kExactlyAcross = 1e-14;
+constexpr double kRounding = 1e-12;  // of a cosine
 
 struct Cluster {
   Vec3 axis = Vec3::Zero();
@@ -68,14 +69,18 @@ class DirectionFinder {
 
   void join(FitItem& item) {
     double best = limit(item.extent, item.deviation.axis_rad);
+    double reached = std::cos(best) - kRounding;
     int found = -1;
     for (int k = 0; k < static_cast<int>(clusters_.size()); ++k) {
+      if (k == 3 && found >= 0) break;  // a coordinate axis wins over a nearer neighbour
+      // The exact angle costs more; few get near.
+      if (std::abs(clusters_[k].axis.dot(item.surface.axis)) < reached) continue;
       const double angle = unsigned_angle(clusters_[k].axis, item.surface.axis);
       if (angle < best) {
         best = angle;
+        reached = std::cos(best) - kRounding;
         found = k;
       }
-      if (k == 2 && found >= 0) break;  // a coordinate axis wins over a nearer neighbour
     }
     if (found < 0) {
       found = static_cast<int>(clusters_.size());

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "core/fit/axis_lines.h"
 #include "core/fit/directions.h"
@@ -65,12 +67,11 @@ class SetBuilder {
   }
 
   void add(const FitItem& item) {
-    int found = -1;
-    for (int k = 0; k < static_cast<int>(set_.halfspaces.size()) && found < 0; ++k) {
-      const Halfspace& h = set_.halfspaces[k];
-      const bool comparable = h.surface.kind == item.surface.kind && h.direction == item.direction;
-      if (comparable && is_same(h.surface, item.surface, reach_)) found = k;
-    }
+    std::vector<int>& alike = alike_[{item.surface.kind, item.direction}];
+    const auto same = std::find_if(alike.begin(), alike.end(), [&](int k) {
+      return is_same(set_.halfspaces[k].surface, item.surface, reach_);
+    });
+    int found = same == alike.end() ? -1 : *same;
     const bool is_new = found < 0;
     if (is_new) found = find_close(item);
     if (found < 0) {
@@ -81,9 +82,14 @@ class SetBuilder {
       set_.halfspaces.push_back(h);
       groups_.push_back({});
       sigma_.push_back(item.sigma);
+      alike.push_back(found);
+      if (item.surface.kind == SurfaceKind::Plane) {
+        planes_.push_back({item.surface.axis, item.surface.offset, found});
+      } else {
+        curved_.push_back(found);
+      }
     } else if (!is_new && item.sigma < 0.1 * sigma_[found]) {
-      set_.halfspaces[found].surface = item.surface;
-      sigma_[found] = item.sigma;
+      replace_surface(found, item);
     }
     set_.halfspaces[found].area += item.area;
     set_.halfspace_of_group[item.group] = found;
@@ -109,11 +115,28 @@ class SetBuilder {
   }
 
  private:
+  struct PlaneEntry {
+    Vec3 normal;
+    double offset;
+    int halfspace;
+  };
+
+  /// Takes the surface of an item that is far more exact.
+  void replace_surface(int k, const FitItem& item) {
+    set_.halfspaces[k].surface = item.surface;
+    sigma_[k] = item.sigma;
+    for (PlaneEntry& e : planes_) {
+      if (e.halfspace == k) e = {item.surface.axis, item.surface.offset, k};
+    }
+  }
+
   /// A larger surface of the same kind that the whole group lies on within reach: what lay between
   /// both would be thinner than any wall.
   int find_close(const FitItem& item) const {
     const FaceGroup& group = segmentation_.groups[item.group];
-    for (int k = 0; k < static_cast<int>(set_.halfspaces.size()); ++k) {
+    const Vec3 corner = mesh_.corner(group.triangles.front(), 0);
+    const bool is_plane = item.surface.kind == SurfaceKind::Plane;
+    for (const int k : is_plane ? planes_near(corner) : curved_) {
       const Surface& s = set_.halfspaces[k].surface;
       if (s.kind != item.surface.kind || set_.halfspaces[k].area < group.area) continue;
       const double cosine = s.gradient(item.center).dot(item.surface.gradient(item.center));
@@ -123,6 +146,15 @@ class SetBuilder {
       if (is_close) return k;
     }
     return -1;
+  }
+
+  /// Free-form meshes have tens of thousands of planes: one compact pass tells most apart.
+  std::vector<int> planes_near(const Vec3& p) const {
+    std::vector<int> near;
+    for (const PlaneEntry& e : planes_) {
+      if (std::abs(e.normal.dot(p) - e.offset) <= reach_) near.push_back(e.halfspace);
+    }
+    return near;
   }
 
   bool is_within(const Surface& s, int t, double limit) const {
@@ -188,6 +220,9 @@ class SetBuilder {
   SurfaceSet set_;
   std::vector<std::vector<int>> groups_;
   std::vector<double> sigma_;
+  std::map<std::pair<SurfaceKind, int>, std::vector<int>> alike_;  ///< by kind and direction
+  std::vector<PlaneEntry> planes_;
+  std::vector<int> curved_;  ///< ascending
 };
 
 }  // namespace

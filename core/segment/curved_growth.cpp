@@ -14,10 +14,11 @@ constexpr double kTightRms = 0.15;            // of the sagitta: corners lie on 
 constexpr double kExactLooseness = 0.1;
 constexpr double kResampledSlack = 3;
 constexpr double kMaxFacetShare = 0.4;  // of a resampled curved group, in one flat facet
-/// A smooth component that falls into this many surfaces of so few facets on average is free-form:
-/// designs have a dozen surfaces between sharp edges, not hundreds.
+/// A smooth component is free-form when it falls into this many surfaces and most of them meet its
+/// facets only loosely: those of a design are exact however many they are.
 constexpr int kManySurfaces = 60;
-constexpr std::size_t kFewFacets = 40;
+constexpr double kLoose = 0.3;
+constexpr double kMostlyLoose = 0.8;      // of the surfaces
 constexpr double kMaxRadius = 5;          // in diagonals
 constexpr double kMinNormalAngle = 0.01;  // radians; counts as a different normal
 constexpr int kPatchSizes[] = {5, 12, 30};
@@ -68,14 +69,15 @@ class CurvedGrower {
         group_of_(group_of_facet),
         stamp_of_(graph.facets.size(), 0) {}
 
-  Result<void> grow_component(const std::vector<int>& component, std::vector<GrownGroup>& groups,
+  /// False when the component is free-form and was given up.
+  Result<bool> grow_component(const std::vector<int>& component, std::vector<GrownGroup>& groups,
                               const RunContext& run) {
     Rng rng(kStream, static_cast<std::uint64_t>(component.front()));
     int failures = 0;
     int found = 0;
-    std::size_t taken = 0;
+    int loose = 0;
     while (failures < options_.max_failures) {
-      if (found >= kManySurfaces && taken < static_cast<std::size_t>(found) * kFewFacets) break;
+      if (found >= kManySurfaces && loose > kMostlyLoose * found) return false;
       std::vector<int> left;
       for (const int f : component) {
         if (group_of_[f] < 0) left.push_back(f);
@@ -101,11 +103,11 @@ class CurvedGrower {
       }
       failures = 0;
       ++found;
-      taken += best.facets.size();
+      loose += best.looseness > (tolerance_.is_resampled ? kResampledSlack : 1) * kLoose;
       for (const int f : best.facets) group_of_[f] = static_cast<int>(groups.size());
       groups.push_back({best.surface, std::move(best.facets)});
     }
-    return {};
+    return true;
   }
 
  private:
@@ -403,21 +405,23 @@ std::vector<std::vector<int>> smooth_components(const FacetGraph& graph, double 
   return components;
 }
 
-Result<void> grow_curved_groups(const Mesh& mesh, const FacetGraph& graph,
-                                const SurfaceTolerance& tolerance, const SegmentOptions& options,
-                                std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet,
-                                const RunContext& run) {
+Result<int> grow_curved_groups(const Mesh& mesh, const FacetGraph& graph,
+                               const SurfaceTolerance& tolerance, const SegmentOptions& options,
+                               std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet,
+                               const RunContext& run) {
   CurvedGrower grower(mesh, graph, tolerance, options, group_of_facet);
   std::size_t done = 0;
+  int given_up = 0;
   const auto components = smooth_components(graph, options.smooth_angle_deg * kPi / 180);
   for (const std::vector<int>& component : components) {
     done += component.size();
     if (component.size() < 4) continue;
-    const Result<void> grown = grower.grow_component(component, groups, run);
+    const Result<bool> grown = grower.grow_component(component, groups, run);
     if (!grown) return grown.error();
+    given_up += !*grown;
     run.report("segment", static_cast<double>(done) / graph.size());
   }
-  return {};
+  return given_up;
 }
 
 }  // namespace hewn

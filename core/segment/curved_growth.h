@@ -19,12 +19,13 @@ struct GrownGroup {
 };
 
 /// Grows curved groups in every smooth component of the facet graph. `group_of_facet` (-1: free)
-/// is read and updated with indices into `groups`, to which the new ones are appended.
+/// is read and updated with indices into `groups`, to which the new ones are appended. Returns the
+/// number of components that were given up as free-form: what is left of them stays free.
 /// Cost: O(components x rounds x facets of the component).
-Result<void> grow_curved_groups(const Mesh& mesh, const FacetGraph& graph,
-                                const SurfaceTolerance& tolerance, const SegmentOptions& options,
-                                std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet,
-                                const RunContext& run);
+Result<int> grow_curved_groups(const Mesh& mesh, const FacetGraph& graph,
+                               const SurfaceTolerance& tolerance, const SegmentOptions& options,
+                               std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet,
+                               const RunContext& run);
 
 /// Facets joined by rims that turn by less than `smooth_rad`.
 std::vector<std::vector<int>> smooth_components(const FacetGraph& graph, double smooth_rad);

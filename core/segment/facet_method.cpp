@@ -93,6 +93,7 @@ struct Attempt {
   std::vector<GrownGroup> groups;
   std::vector<int> group_of;
   SurfaceTolerance tolerance;
+  bool is_free_form = false;  ///< at least one smooth component
 };
 
 void polish_groups(const Mesh& mesh, Attempt& a) {
@@ -127,9 +128,10 @@ Result<Attempt> attempt(const Mesh& mesh, const std::vector<std::array<int, 3>>&
                          a.group_of, run);
     if (!rings) return rings.error();
   }
-  const Result<void> grown =
+  const Result<int> grown =
       grow_curved_groups(mesh, a.graph, a.tolerance, options, a.groups, a.group_of, run);
   if (!grown) return grown.error();
+  a.is_free_form = *grown > 0;
   absorb_slivers(mesh, a.graph, a.tolerance, a.groups, a.group_of);
   adopt_facets(mesh, a.graph, a.tolerance, a.groups, a.group_of, run);
   const Result<void> planes =
@@ -212,8 +214,9 @@ Result<Segmentation> segment_by_facets(const Mesh& mesh, const SegmentOptions& o
   Result<Attempt> best = attempt(mesh, neighbors, noise, 1, options, run);
   if (!best) return best.error();
   // Some designs are inexact from the start: where surfaces fall to pieces, see whether a looser
-  // reading holds them together.
-  if (count_pieces(*best, options.smooth_angle_deg * kPi / 180) >= kManyPieces) {
+  // reading holds them together. It would not do so for a free-form one.
+  if (!best->is_free_form &&
+      count_pieces(*best, options.smooth_angle_deg * kPi / 180) >= kManyPieces) {
     Result<Attempt> loose = attempt(mesh, neighbors, noise, options.loose_factor, options, run);
     if (!loose) return loose.error();
     const auto worth = static_cast<double>(best->groups.size()) * kWorthwhile;

@@ -154,21 +154,18 @@ TEST_CASE("a fillet is told from the planes that it touches") {
   CHECK(groups_of_kind(s, SurfaceKind::Plane).size() == 6);
 }
 
-/// A bar along z over a closed polygon.
-Mesh bar(const std::vector<Vec2>& outline, double height) {
+/// The wall of a bar along z over a closed polygon, without its ends.
+Mesh wall(const std::vector<Vec2>& outline, double height) {
   const int n = static_cast<int>(outline.size());
   std::vector<Vec3> vertices;
   for (const double z : {0.0, height}) {
     for (const Vec2& p : outline) vertices.push_back({p.x(), p.y(), z});
-    vertices.push_back({0, 0, z});
   }
   std::vector<std::array<int, 3>> triangles;
   for (int i = 0; i < n; ++i) {
     const int j = (i + 1) % n;
-    triangles.push_back({i, j, n + 1 + j});
-    triangles.push_back({i, n + 1 + j, n + 1 + i});
-    triangles.push_back({n, j, i});
-    triangles.push_back({2 * n + 1, n + 1 + i, n + 1 + j});
+    triangles.push_back({i, j, n + j});
+    triangles.push_back({i, n + j, n + i});
   }
   return make_mesh(vertices, triangles);
 }
@@ -183,11 +180,51 @@ TEST_CASE("single wide facets do not keep a cylinder from being one") {
     angle += step * kPi / 180;
     if (angle > 2 * kPi - 0.1) break;
   }
-  const Segmentation s = segmented(bar(outline, 1.5));
-  CHECK(s.groups.size() == 3);
+  const Segmentation s = segmented(wall(outline, 1.5));
+  CHECK(s.groups.size() == 1);
   const auto cylinders = groups_of_kind(s, SurfaceKind::Cylinder);
   REQUIRE(cylinders.size() == 1);
   CHECK(cylinders[0].surface.radius == doctest::Approx(1).epsilon(1e-6));
+}
+
+TEST_CASE("a fluted bar is no free-form surface, however many flutes join smoothly") {
+  constexpr int kArcs = 72;  // alternately ribs and flutes, each tangent to the next
+  constexpr int kSteps = 10;
+  const double radius = std::sin(kPi / kArcs);
+  std::vector<Vec2> outline;
+  for (int k = 0; k < kArcs; ++k) {
+    const double turn = 2 * kPi * k / kArcs;
+    const Vec2 center(std::cos(turn), std::sin(turn));
+    const bool is_rib = k % 2 == 0;
+    const double half = kPi / 2 + (is_rib ? 1 : -1) * kPi / kArcs;
+    for (int i = 0; i < kSteps; ++i) {
+      const double a = half * (2.0 * i / kSteps - 1);
+      const double angle = is_rib ? turn + a : turn + kPi - a;
+      outline.push_back(center + radius * Vec2(std::cos(angle), std::sin(angle)));
+    }
+  }
+  const Segmentation s = segmented(wall(outline, 0.5));
+  const auto cylinders = groups_of_kind(s, SurfaceKind::Cylinder);
+  CHECK(cylinders.size() == kArcs);
+  for (const FaceGroup& g : cylinders) {
+    CHECK(g.surface.radius == doctest::Approx(radius).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("a free-form surface is given up early") {
+  Mesh blob = solids::sphere(1, 160, 80);
+  for (Vec3& p : blob.vertices) {
+    const double bumps = std::sin(6 * p.x()) * std::sin(7 * p.y() + 1) * std::sin(8 * p.z() + 2);
+    p *= 1 + 0.1 * bumps;
+  }
+  const Mesh mesh = make_mesh(blob.vertices, blob.triangles);
+  const Segmentation s = segmented(mesh);
+  check_partition(mesh, s);
+  const auto planes = groups_of_kind(s, SurfaceKind::Plane);
+  // Without giving up, several hundred small tori.
+  CHECK(s.groups.size() - planes.size() <= 61);
+  const auto is_fitted = [](const FaceGroup& g) { return g.is_fitted; };
+  CHECK(std::count_if(planes.begin(), planes.end(), is_fitted) < 100);
 }
 
 TEST_CASE("cutting flat facets into small triangles changes nothing") {
