@@ -19,6 +19,8 @@ constexpr double kMaxFacetShare = 0.4;  // of a resampled curved group, in one f
 constexpr int kManySurfaces = 60;
 constexpr double kLoose = 0.3;
 constexpr double kMostlyLoose = 0.8;      // of the surfaces
+constexpr double kCovering = 0.95;        // of a component's free facets on one cylinder,
+constexpr int kConfirmed = 2;             // for this many seeds
 constexpr double kMaxRadius = 5;          // in diagonals
 constexpr double kMinNormalAngle = 0.01;  // radians; counts as a different normal
 constexpr int kPatchSizes[] = {5, 12, 30};
@@ -67,7 +69,8 @@ class CurvedGrower {
         smooth_rad_(options.smooth_angle_deg * kPi / 180),
         fitter_(mesh, graph, tolerance),
         group_of_(group_of_facet),
-        stamp_of_(graph.facets.size(), 0) {}
+        stamp_of_(graph.facets.size(), 0),
+        tried_after_(graph.facets.size(), -1) {}
 
   /// False when the component is free-form and was given up.
   Result<bool> grow_component(const std::vector<int>& component, std::vector<GrownGroup>& groups,
@@ -78,23 +81,25 @@ class CurvedGrower {
     int loose = 0;
     while (failures < options_.max_failures) {
       if (found >= kManySurfaces && loose > kMostlyLoose * found) return false;
-      std::vector<int> left;
-      for (const int f : component) {
-        if (group_of_[f] < 0) left.push_back(f);
-      }
-      if (left.size() < 4) break;
-      const bool is_exhaustive = static_cast<int>(left.size()) <= 2 * options_.seeds;
+      std::vector<int> seeds;
+      const int free = untried_seeds(component, seeds);
+      if (free < 4 || seeds.empty()) break;
+      const bool is_exhaustive = static_cast<int>(seeds.size()) <= 2 * options_.seeds;
       if (!is_exhaustive) {
         for (int i = 0; i < options_.seeds; ++i) {
-          const std::size_t j = i + rng.below(left.size() - i);
-          std::swap(left[i], left[j]);
+          const std::size_t j = i + rng.below(seeds.size() - i);
+          std::swap(seeds[i], seeds[j]);
         }
-        left.resize(options_.seeds);
+        seeds.resize(options_.seeds);
       }
       Candidate best;
-      for (const int seed : left) {
+      int confirmed = 0;
+      for (const int seed : seeds) {
         if (run.is_cancelled()) return RunContext::cancelled();
         try_seed(seed, best);
+        tried_after_[seed] = surfaces_;
+        // All other seeds would find the one surface that there is.
+        if (covers(best, free) && ++confirmed >= kConfirmed) break;
       }
       if (best.score <= 0) {
         if (is_exhaustive) break;
@@ -103,6 +108,7 @@ class CurvedGrower {
       }
       failures = 0;
       ++found;
+      ++surfaces_;
       loose += best.looseness > (tolerance_.is_resampled ? kResampledSlack : 1) * kLoose;
       for (const int f : best.facets) group_of_[f] = static_cast<int>(groups.size());
       groups.push_back({best.surface, std::move(best.facets)});
@@ -112,6 +118,23 @@ class CurvedGrower {
 
  private:
   static constexpr std::uint64_t kStream = 12345;
+
+  /// Free facets of the component that were not tried since the last surface was found: trying them
+  /// again would end the same. Returns the number of free facets, tried or not.
+  int untried_seeds(const std::vector<int>& component, std::vector<int>& seeds) const {
+    int free = 0;
+    for (const int f : component) {
+      if (group_of_[f] >= 0) continue;
+      ++free;
+      if (tried_after_[f] != surfaces_) seeds.push_back(f);
+    }
+    return free;
+  }
+
+  static bool covers(const Candidate& c, int free) {
+    return c.score > 0 && c.surface.kind == SurfaceKind::Cylinder &&
+           static_cast<double>(c.facets.size()) > kCovering * free;
+  }
 
   void try_seed(int seed, Candidate& best) {
     const double diagonal = tolerance_.diagonal;
@@ -381,6 +404,8 @@ class CurvedGrower {
   std::vector<int>& group_of_;
   std::vector<int> stamp_of_;
   int stamp_ = 0;
+  std::vector<int> tried_after_;  ///< seeds: the number of surfaces found before the last try
+  int surfaces_ = 0;
 };
 
 }  // namespace
