@@ -9,9 +9,11 @@ namespace {
 constexpr double kSliverArea = 1e-8;      // shares of the squared diagonal
 constexpr double kSliverDistance = 1e-3;  // shares of the diagonal
 constexpr double kPatchDistance = 5e-4;
-constexpr double kMaxTurn = 0.5;     // radians, across a rim inside a flat patch
-constexpr double kMaxTilt = 0.06;    // radians, of a facet that is not small
-constexpr double kSmallArea = 1e-5;  // may be tilted: its corners decide
+constexpr double kDentDistance = 1e-3;  // for facets of less than
+constexpr double kDentArea = 0.1;       // of the patch's largest facet
+constexpr double kMaxTurn = 0.5;        // radians, across a rim inside a flat patch
+constexpr double kMaxTilt = 0.06;       // radians, of a facet that is not small
+constexpr double kSmallArea = 1e-5;     // may be tilted: its corners decide
 constexpr double kMinSeedCosine = 0.99;
 constexpr double kMainShare = 0.5;  // of the group's area
 
@@ -55,16 +57,18 @@ class PlaneCollector {
     for (std::size_t i = 0; i < group.facets.size(); ++i) {
       for (const FacetNeighbor& n : graph_.neighbors(group.facets[i])) {
         if (group_of_[n.facet] >= 0 || stamp_of_[n.facet] == stamp_) continue;
-        if (n.angle_rad > kMaxTurn || !lies_on(group.surface, n.facet)) continue;
+        if (n.angle_rad > kMaxTurn || !lies_on(group.surface, n.facet, seed)) continue;
         stamp_of_[n.facet] = stamp_;
         group.facets.push_back(n.facet);
       }
     }
   }
 
-  bool lies_on(const Surface& plane, int f) const {
-    if (fitter_.max_distance(plane, f) > kPatchDistance * tolerance_.diagonal) return false;
+  bool lies_on(const Surface& plane, int f, int seed) const {
     const Facet& facet = graph_.facets[f];
+    const bool is_dent = facet.area < kDentArea * graph_.facets[seed].area;
+    const double limit = (is_dent ? kDentDistance : kPatchDistance) * tolerance_.diagonal;
+    if (fitter_.max_distance(plane, f) > limit) return false;
     return angle_between(facet.normal, plane.axis) <= kMaxTilt ||
            facet.area <= kSmallArea * tolerance_.diagonal * tolerance_.diagonal;
   }
@@ -143,6 +147,10 @@ bool is_piece(const FacetShape& shape, double depth, const GrownGroup& group,
 }
 
 constexpr double kSplinterArea = 1e-4;  // of the mesh's area: whole splinter groups
+constexpr double kCrookedArea = 1e-3;   // of the mesh's area
+constexpr double kMainArea = 1e-2;      // of the mesh's area: tells a direction of the design
+constexpr double kAligned = 1e-3;       // radians, from a direction or from across it
+constexpr std::size_t kCrookedFacets = 2;
 
 /// Decides where splinter groups go.
 class SplinterDissolver {
@@ -165,19 +173,43 @@ class SplinterDissolver {
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
                      [&](int a, int b) { return areas_[a] < areas_[b]; });
+    collect_directions();
     for (const int g : order) {
-      if (areas_[g] > kSplinterArea * mesh_.total_area) break;
-      if (groups_[g].surface.kind == SurfaceKind::Plane) dissolve(g);
+      if (areas_[g] > kCrookedArea * mesh_.total_area) break;
+      if (groups_[g].surface.kind != SurfaceKind::Plane) continue;
+      if (areas_[g] <= kSplinterArea * mesh_.total_area) {
+        dissolve(g, reach(), tolerance_.is_resampled);
+      }
+      if (is_crooked(g)) dissolve(g, kCrookedDistance * tolerance_.diagonal, true);
     }
     compact_groups(groups_, group_of_);
   }
 
  private:
-  /// Moves all facets to larger neighbours, or none.
-  void dissolve(int g) {
+  void collect_directions() {
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const bool tells = groups_[g].surface.kind != SurfaceKind::Sphere &&
+                         areas_[g] > kMainArea * mesh_.total_area;
+      if (tells) directions_.push_back(groups_[g].surface.axis);
+    }
+  }
+
+  /// A plane of one or two triangles that has nothing to do with any direction of the design: where
+  /// a modeller lost a vertex, a few triangles stretch to the next one. It goes where it is thin.
+  bool is_crooked(int g) const {
+    if (groups_[g].facets.empty() || groups_[g].facets.size() > kCrookedFacets) return false;
+    const Vec3& normal = groups_[g].surface.axis;
+    return std::none_of(directions_.begin(), directions_.end(), [&](const Vec3& d) {
+      const double angle = unsigned_angle(normal, d);
+      return angle < kAligned || angle > kPi / 2 - kAligned;
+    });
+  }
+
+  /// Moves all facets to larger neighbours whose surfaces they lie within `limit` of, or none.
+  void dissolve(int g, double limit, bool may_turn) {
     std::vector<int> targets;
     for (const int f : groups_[g].facets) {
-      const int target = target_of(f, g);
+      const int target = target_of(f, g, limit, may_turn ? kPi : 4 * graph_.normal_error_rad[f]);
       if (target < 0) return;
       targets.push_back(target);
     }
@@ -190,9 +222,9 @@ class SplinterDissolver {
     groups_[g].facets.clear();
   }
 
-  int target_of(int f, int own) const {
+  int target_of(int f, int own, double limit, double max_turn) const {
     int best = -1;
-    double best_distance = reach();
+    double best_distance = limit;
     for (const FacetNeighbor& n : graph_.neighbors(f)) {
       const int g = group_of_[n.facet];
       if (g < 0 || g == own || areas_[g] <= areas_[own]) continue;
@@ -201,7 +233,7 @@ class SplinterDissolver {
       if (distance >= best_distance) continue;
       const double turn =
           unsigned_angle(s.gradient(graph_.facets[f].centroid), graph_.facets[f].normal);
-      if (turn > allowed_turn(f)) continue;
+      if (turn > max_turn) continue;
       best = g;
       best_distance = distance;
     }
@@ -212,11 +244,9 @@ class SplinterDissolver {
     return tolerance_.is_resampled ? kStraddleDistance * tolerance_.diagonal
                                    : 2 * tolerance_.eps + 2 * tolerance_.noise;
   }
-  double allowed_turn(int f) const {
-    return tolerance_.is_resampled ? kPi : 4 * graph_.normal_error_rad[f];
-  }
 
-  static constexpr double kStraddleDistance = 4e-3;  // share of the diagonal
+  static constexpr double kStraddleDistance = 4e-3;  // shares of the diagonal
+  static constexpr double kCrookedDistance = 1e-3;
 
   const Mesh& mesh_;
   const FacetGraph& graph_;
@@ -225,6 +255,7 @@ class SplinterDissolver {
   std::vector<GrownGroup>& groups_;
   std::vector<int>& group_of_;
   std::vector<double> areas_;
+  std::vector<Vec3> directions_;
 };
 
 }  // namespace

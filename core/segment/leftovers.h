@@ -33,7 +33,8 @@ void merge_pieces(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolera
                   const RunContext& run);
 
 /// Dissolves small groups whose normals mean nothing, for the noise or because a resampled mesh's
-/// triangles straddle an edge, into neighbours on whose surfaces they lie.
+/// triangles straddle an edge, into neighbours on whose surfaces they lie; and single crooked
+/// triangles that a modeller left where it lost a vertex into what they lie close to.
 void dissolve_splinters(const Mesh& mesh, const FacetGraph& graph,
                         const SurfaceTolerance& tolerance, std::vector<GrownGroup>& groups,
                         std::vector<int>& group_of_facet);

@@ -187,6 +187,25 @@ TEST_CASE("single wide facets do not keep a cylinder from being one") {
   CHECK(cylinders[0].surface.radius == doctest::Approx(1).epsilon(1e-6));
 }
 
+TEST_CASE("a misplaced vertex leaves crooked triangles, not planes of the design") {
+  const Mesh box = solids::box(Vec3::Zero(), Vec3(4, 3, 2), 8);
+  std::vector<Vec3> vertices = box.vertices;
+  for (Vec3& p : vertices) {
+    if ((p - Vec3(1, 0.75, 2)).norm() > 1e-9) continue;
+    // Almost onto a diagonal across, and 0.8 thousandths of the part's diagonal deep.
+    p += 0.97 * Vec3(-0.25, 0.1875, 0) + Vec3(0, 0, -0.0043);
+  }
+  const Segmentation s = segmented(make_mesh(vertices, box.triangles));
+  CHECK(s.groups.size() == 6);
+
+  // As deep, but a step along the box's directions: that was meant.
+  for (Vec3& p : vertices) {
+    if (p.z() > 1.9) p.z() = p.x() > 2.2 ? 1.9957 : 2;
+  }
+  const Mesh stepped = make_mesh(vertices, box.triangles);
+  CHECK(segmented(stepped).groups.size() == 8);
+}
+
 TEST_CASE("a fluted bar is no free-form surface, however many flutes join smoothly") {
   constexpr int kArcs = 72;  // alternately ribs and flutes, each tangent to the next
   constexpr int kSteps = 10;
