@@ -11,6 +11,10 @@ constexpr double kMaxNormalDeviation = 0.22;  // radians; of a patch from its fi
 constexpr double kMaxSagittaRatio = 0.024;    // of the radius: steps of 25 degrees for most facets
 constexpr double kMaxSagittaOutlier = 0.062;  // and of 40 degrees for each
 constexpr double kTightRms = 0.15;            // of the sagitta: corners lie on the surface
+/// A candidate as loose as this counts half its area: an exact smaller one goes first.
+constexpr double kHalfLooseness = 0.4;
+/// Areas of facets of one ring differ by less than this factor, but where they are trimmed.
+constexpr double kAlike = 3;
 constexpr double kExactLooseness = 0.1;
 constexpr double kResampledSlack = 3;
 constexpr double kMaxFacetShare = 0.4;  // of a resampled curved group, in one flat facet
@@ -147,6 +151,8 @@ class CurvedGrower {
     const std::span<const int> sizes = tolerance_.is_resampled
                                            ? std::span<const int>(kResampledPatchSizes)
                                            : std::span<const int>(kPatchSizes);
+    const std::vector<int> smoothest = smoothest_neighborhood(seed, sizes.front());
+    if (smoothest.size() >= 4 && try_patch(smoothest, best)) return;
     for (const int size : sizes) {
       const std::vector<int> patch = neighborhood(seed, size);
       if (patch.size() < 4) return;
@@ -175,6 +181,34 @@ class CurvedGrower {
     return false;
   }
 
+  /// The facets that the smallest turns lead to: it runs around a cylinder or cone before it
+  /// crosses over to what joins it smoothly.
+  std::vector<int> smoothest_neighborhood(int seed, int size) {
+    ++stamp_;
+    std::vector<int> patch = {seed};
+    stamp_of_[seed] = stamp_;
+    while (static_cast<int>(patch.size()) < size) {
+      FacetNeighbor next{-1, smooth_rad_};
+      for (const int f : patch) {
+        for (const FacetNeighbor& n : graph_.neighbors(f)) {
+          if (n.angle_rad >= next.angle_rad || !is_free(n.facet)) continue;
+          const double ratio = graph_.facets[n.facet].area / graph_.facets[seed].area;
+          if (ratio > kAlike || ratio < 1 / kAlike) continue;
+          next = n;
+        }
+      }
+      if (next.facet < 0) break;
+      stamp_of_[next.facet] = stamp_;
+      patch.push_back(next.facet);
+    }
+    return patch;
+  }
+
+  /// Neither taken, nor in the patch, nor too small to tell anything.
+  bool is_free(int facet) const {
+    return group_of_[facet] < 0 && stamp_of_[facet] != stamp_ && !fitter_.is_tiny(facet);
+  }
+
   std::vector<int> neighborhood(int seed, int size) {
     ++stamp_;
     std::vector<int> patch = {seed};
@@ -182,8 +216,7 @@ class CurvedGrower {
     for (std::size_t i = 0; i < patch.size(); ++i) {
       for (const FacetNeighbor& n : graph_.neighbors(patch[i])) {
         if (static_cast<int>(patch.size()) >= size) return patch;
-        if (n.angle_rad >= smooth_rad_ || group_of_[n.facet] >= 0) continue;
-        if (stamp_of_[n.facet] == stamp_ || fitter_.is_tiny(n.facet)) continue;
+        if (n.angle_rad >= smooth_rad_ || !is_free(n.facet)) continue;
         stamp_of_[n.facet] = stamp_;
         patch.push_back(n.facet);
       }
@@ -333,7 +366,8 @@ class CurvedGrower {
     }
     // A plane with the straddling triangles of its rim passes for a huge cylinder.
     if (tolerance_.is_resampled && largest > kMaxFacetShare * area) return std::nullopt;
-    const double tightness = 0.05 + 0.95 / (1 + looseness * looseness / (slack * slack));
+    const double excess = looseness / (kHalfLooseness * slack);
+    const double tightness = 0.05 + 0.95 / (1 + excess * excess);
     Candidate c{s, std::move(facets), 0, looseness};
     c.score = area * simplicity(s.kind) * tightness * (c.facets.size() < 6 ? 0.5 : 1);
     return c;

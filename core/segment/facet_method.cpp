@@ -4,6 +4,7 @@
 
 #include "core/fit/gauss_newton.h"
 #include "core/segment/curved_growth.h"
+#include "core/segment/developable.h"
 #include "core/segment/leftovers.h"
 #include "core/segment/plane_rings.h"
 #include "core/segment/polish.h"
@@ -145,6 +146,7 @@ Result<Attempt> attempt(const Mesh& mesh, const std::vector<std::array<int, 3>>&
   if (run.is_cancelled()) return RunContext::cancelled();
   dissolve_splinters(mesh, a.graph, a.tolerance, a.groups, a.group_of);
   if (run.is_cancelled()) return RunContext::cancelled();
+  prefer_developable(mesh, a.graph, a.tolerance, a.groups, a.group_of);
   polish_groups(mesh, a);
   return a;
 }

@@ -313,5 +313,41 @@ TEST_CASE("the defaults of the segmentation options lie within their ranges") {
   }
 }
 
+TEST_CASE("a ring of facets is a chamfer, not a piece of a ball") {
+  // A pin with chamfered ends.
+  const Mesh pin = solids::revolve({{0, 0}, {4, 0}, {5, 1}, {5, 19}, {4.5, 20}, {0, 20}}, 48);
+  const Segmentation s = segmented(pin);
+  CHECK(groups_of_kind(s, SurfaceKind::Sphere).empty());
+  CHECK(groups_of_kind(s, SurfaceKind::Torus).empty());
+  const std::vector<FaceGroup> cones = groups_of_kind(s, SurfaceKind::Cone);
+  REQUIRE(cones.size() == 2);
+  std::vector<double> angles = {cones[0].surface.half_angle_rad, cones[1].surface.half_angle_rad};
+  std::sort(angles.begin(), angles.end());
+  CHECK(angles[0] == doctest::Approx(std::atan(0.5)));
+  CHECK(angles[1] == doctest::Approx(kPi / 4));
+}
+
+TEST_CASE("a cylinder and a cone that join smoothly are no torus") {
+  const Mesh hub = solids::revolve({{0, 0}, {17, 0}, {17, 10}, {22, 24}, {0, 24}}, 60);
+  const Segmentation s = segmented(hub);
+  CHECK(groups_of_kind(s, SurfaceKind::Torus).empty());
+  const std::vector<FaceGroup> cylinders = groups_of_kind(s, SurfaceKind::Cylinder);
+  REQUIRE(cylinders.size() == 1);
+  CHECK(cylinders[0].surface.radius == doctest::Approx(17));
+  REQUIRE(groups_of_kind(s, SurfaceKind::Cone).size() == 1);
+}
+
+TEST_CASE("a torus of two equally wide rings stays one") {
+  // A quarter turn in two steps, too steep to be a cylinder and a cone.
+  const double step = kPi / 16;
+  std::vector<Vec2> profile = {{0, -10}, {20, -10}};
+  for (int k = -1; k <= 1; ++k) {
+    profile.emplace_back(15 + 5 * std::cos(k * step), 5 * std::sin(k * step));
+  }
+  profile.emplace_back(0, 5 * std::sin(step));
+  const Segmentation s = segmented(solids::revolve(profile, 60));
+  CHECK(groups_of_kind(s, SurfaceKind::Torus).size() == 1);
+}
+
 }  // namespace
 }  // namespace hewn
