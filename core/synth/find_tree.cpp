@@ -31,6 +31,8 @@ constexpr double kDensifyReach = 0.01;  // of the diagonal
 constexpr double kFullEffortWork = 2000;
 /// More surfaces than any design has: the mesh is free-form or hopelessly noisy.
 constexpr std::size_t kMaxHalfspaces = 1500;
+/// Of a full walk: the first refinement of each construction.
+constexpr int kFirstShare = 4;
 constexpr double kOnBox = 3e-4;  // of the diagonal: a halfspace that is a side of the box
 
 /// A right list with what it leaves out of account.
@@ -198,7 +200,7 @@ class TreeSearch {
     return o;
   }
 
-  /// Several independent constructions, the best of which are refined further.
+  /// Several independent constructions, the better of which are refined further.
   bool construct(int round) {
     const std::size_t starts = static_cast<std::size_t>(std::max(1, options_.starts));
     std::vector<std::optional<Solution>> found(starts);
@@ -214,7 +216,7 @@ class TreeSearch {
       o.noise = i < 2 ? 0.15 : 0.4;
       std::optional<DecisionList> list = construct_list(space, o, grower, rng);
       if (list) {
-        improve_list(space, walk_options(*list, 2), *list, grower, rng, run_);
+        improve_list(space, walk_options(*list, kFirstShare), *list, grower, rng, run_);
         found[i] = Solution{std::move(*list), clip};
       }
       grown[i] = grower.terms_grown();
@@ -225,28 +227,35 @@ class TreeSearch {
       if (f) solutions.push_back(std::move(*f));
     }
     if (solutions.empty()) return false;
-    std::stable_sort(solutions.begin(), solutions.end(),
-                     [](const Solution& a, const Solution& b) { return a.cost() < b.cost(); });
-    refine(round, std::move(solutions), 1);
+    // Successive halving: fewer and fewer, for longer and longer.
+    int task = 100;
+    for (int share = kFirstShare; share >= 1; share /= 2) {
+      keep_cheapest(solutions, std::max<std::size_t>(2, solutions.size() / 2));
+      refine(round, task, share, solutions);
+      task += 100;
+    }
+    keep_cheapest(solutions, 1);
+    current_ = std::move(solutions.front());
     return true;
   }
 
-  /// Walks from the best solutions in parallel and keeps the cheapest result.
-  void refine(int round, std::vector<Solution> from, int share) {
-    constexpr std::size_t kWalks = 2;
-    std::vector<Solution> walks(kWalks);
-    for (std::size_t i = 0; i < kWalks; ++i) walks[i] = from[std::min(i, from.size() - 1)];
-    std::vector<long> grown(kWalks, 0);
-    for_each_index(run_.threads, kWalks, [&](std::size_t i) {
-      Rng rng(run_.seed, stream(round, 100 + static_cast<int>(i)));
+  static void keep_cheapest(std::vector<Solution>& solutions, std::size_t count) {
+    std::stable_sort(solutions.begin(), solutions.end(),
+                     [](const Solution& a, const Solution& b) { return a.cost() < b.cost(); });
+    solutions.resize(std::min(count, solutions.size()));
+  }
+
+  /// Walks from every solution, in parallel.
+  void refine(int round, int task, int share, std::vector<Solution>& solutions) {
+    std::vector<long> grown(solutions.size(), 0);
+    for_each_index(run_.threads, solutions.size(), [&](std::size_t i) {
+      Solution& s = solutions[i];
+      Rng rng(run_.seed, stream(round, task + static_cast<int>(i)));
       TermGrower grower(*columns_, *combinability_);
-      improve_list(spaces_[walks[i].clip ? 1 : 0], walk_options(walks[i].list, share),
-                   walks[i].list, grower, rng, run_);
+      improve_list(spaces_[s.clip ? 1 : 0], walk_options(s.list, share), s.list, grower, rng, run_);
       grown[i] = grower.terms_grown();
     });
     for (const long g : grown) answer_.terms_grown += g;
-    current_ = *std::min_element(walks.begin(), walks.end(),
-                                 [](const auto& a, const auto& b) { return a.cost() < b.cost(); });
   }
 
   const SearchSpace& space_of(const Solution& s) const { return spaces_[s.is_clipped() ? 1 : 0]; }
@@ -257,7 +266,10 @@ class TreeSearch {
     TermGrower grower(*columns_, *combinability_);
     if (!repair_list(space_of(current_), current_.list, grower, rng)) return false;
     answer_.terms_grown += grower.terms_grown();
-    refine(round, {current_}, 2);
+    std::vector<Solution> walks(2, current_);
+    refine(round, 500, 2, walks);
+    keep_cheapest(walks, 1);
+    current_ = std::move(walks.front());
     return true;
   }
 
