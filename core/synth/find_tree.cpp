@@ -276,6 +276,8 @@ class TreeSearch {
   /// Verifies the round's list; true when another round is worthwhile.
   bool check_round(int round) {
     answer_.rounds = round + 1;
+    // What the cells do not show, the fresh points may.
+    relax_list(space_of(current_), surfaces_, current_.list);
     const ListSolid solid(current_.list, surfaces_.halfspaces, space_.frame, current_.is_clipped());
     const Tree tree = lowered(current_.list, current_.is_clipped());
     const SolidTest contains = [&solid](const Vec3& p) { return solid.contains(p); };
@@ -311,10 +313,7 @@ class TreeSearch {
   }
 
   Result<TreeAnswer> finish() {
-    rebuild_columns();
-    Solution solution = *best_;
-    for (TermPtr& item : solution.list.items) item = with_cover(*columns_, *item);
-    relax_list(space_of(solution), surfaces_, solution.list);
+    const Solution& solution = *best_;
     answer_.tree = lowered(solution.list, false);
     if (solution.is_clipped() && !problem_.is_subtracted && reaches_outside(answer_.tree)) {
       answer_.tree = lowered(solution.list, true);
