@@ -1,5 +1,6 @@
 #pragma once
 /// Unlimited undo and redo over whole documents, which share what they have in common.
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ class History {
   /// The title of what `undo` takes back or `redo` does again. Requires: `can_...`.
   const std::string& undo_title() const { return steps_[at_].title; }
   const std::string& redo_title() const { return steps_[at_ + 1].title; }
+  /// Grows whenever `current` becomes another document.
+  std::uint64_t edition() const { return edition_; }
   /// Steps done so far.
   std::size_t depth() const { return at_; }
 
@@ -35,6 +38,7 @@ class History {
   };
   std::vector<Step> steps_ = {{}};
   std::size_t at_ = 0;
+  std::uint64_t edition_ = 1;
 };
 
 }  // namespace hewn

@@ -138,12 +138,12 @@ Result<void> Session::save(const std::filesystem::path& path) {
   const std::string text = project_text(document().project, folder);
   if (auto done = write_file(path, text); !done) return done;
   project_path_ = path;
-  saved_plan_ = plan_text(document().project);
+  saved_plan_ = plan();
   return {};
 }
 
 bool Session::is_modified() const {
-  return !document().project.mesh.empty() && plan_text(document().project) != saved_plan_;
+  return !document().project.mesh.empty() && plan() != saved_plan_;
 }
 
 void Session::plan_changed() {
@@ -205,13 +205,12 @@ int Session::add_search(const Project& project, std::string source) {
   return jobs_.add(std::move(name),
                    [this, document, source](const RunContext& run) -> JobCompletion {
                      auto result = search(document, source, run);
-                     return [this, result, plan = plan_text(document.project)] {
+                     return [this, result, searched = plan_text(document.project)] {
                        ++revision_;
                        if (result) {
                          adopt_result(*result);
                        } else if (result.error().code != ErrorCode::Cancelled) {
-                         if (plan == plan_text(history_.current().project))
-                           failure_ = text_of(result.error());
+                         if (searched == plan()) failure_ = text_of(result.error());
                          report(result.error());
                        }
                      };
@@ -223,13 +222,12 @@ Result<void> Session::start_search() {
     return Error{ErrorCode::InvalidArgument,
                  "the mesh is still being divided into groups; wait until it is done"};
   }
-  const std::string plan = plan_text(document().project);
   if (current_result()) return {};
-  if (plan == searched_plan_ && is_busy()) return {};
+  if (plan() == searched_plan_ && is_busy()) return {};
   jobs_.cancel(search_job_);
   for (const int job : std::exchange(variant_jobs_, {})) jobs_.cancel(job);
   failure_.clear();
-  searched_plan_ = plan;
+  searched_plan_ = plan();
   search_job_ = add_search(document().project, "plan");
   return {};
 }
@@ -239,9 +237,9 @@ void Session::search_variants() {
   for (const int job : std::exchange(variant_jobs_, {})) jobs_.cancel(job);
   const Project& project = document().project;
   const auto add = [this](Project variant, std::string name) {
-    const std::string plan = plan_text(variant);
+    const std::string text = plan_text(variant);
     const bool is_known = std::any_of(results_.begin(), results_.end(),
-                                      [&plan](const auto& r) { return r->plan == plan; });
+                                      [&text](const auto& r) { return r->plan == text; });
     if (!is_known) variant_jobs_.push_back(add_search(variant, std::move(name)));
   };
   for (const int starts : {1, 8}) {
@@ -266,7 +264,7 @@ void Session::adopt_result(std::shared_ptr<const FoundResult> result) {
   std::erase_if(results_, [&result](const auto& r) { return r->plan == result->plan; });
   results_.push_back(result);
   if (results_.size() > kMostResults) results_.erase(results_.begin());
-  if (result->plan == plan_text(document().project) || !last_result_) last_result_ = result;
+  if (result->plan == plan() || !last_result_) last_result_ = result;
   if (wants_views_) start_view(shown_result());
 }
 
@@ -319,11 +317,26 @@ Result<void> Session::export_tree(const ExportTree& command) {
   return {};
 }
 
+const std::string& Session::plan() const {
+  if (derived_.plan_edition != history_.edition()) {
+    derived_.plan = plan_text(document().project);
+    derived_.plan_edition = history_.edition();
+  }
+  return derived_.plan;
+}
+
+const std::vector<PartitionView>& Session::partitions() const {
+  if (derived_.partition_edition != history_.edition()) {
+    derived_.partitions = partition_views(document());
+    derived_.partition_edition = history_.edition();
+  }
+  return derived_.partitions;
+}
+
 std::shared_ptr<const FoundResult> Session::current_result() const {
   if (results_.empty()) return nullptr;
-  const std::string plan = plan_text(document().project);
   for (auto it = results_.rbegin(); it != results_.rend(); ++it) {
-    if ((*it)->plan == plan) return *it;
+    if ((*it)->plan == plan()) return *it;
   }
   return nullptr;
 }

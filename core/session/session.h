@@ -78,6 +78,8 @@ class Session {
   std::shared_ptr<const FoundResult> shown_result() const;
   /// What is drawn of the shown result; null until its job is done.
   std::shared_ptr<const ResultView> result_view() const;
+  /// The partitions of the document with their groups; see `partition_views`.
+  const std::vector<PartitionView>& partitions() const;
   /// Why the last search for the present plan failed; empty when it did not.
   const std::string& failure() const { return failure_; }
 
@@ -109,8 +111,17 @@ class Session {
   void start_view(const std::shared_ptr<const FoundResult>& result);
   int add_search(const Project& project, std::string source);
   void report(const Error& error);
+  const std::string& plan() const;
+
+  /// What is derived from the document again and again, kept until it changes.
+  struct Derived {
+    std::uint64_t plan_edition = 0, partition_edition = 0;
+    std::string plan;
+    std::vector<PartitionView> partitions;
+  };
 
   History history_;
+  mutable Derived derived_;
   std::filesystem::path project_path_;
   std::string saved_plan_;
   bool is_live_ = false;

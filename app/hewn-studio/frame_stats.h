@@ -1,0 +1,28 @@
+#pragma once
+/// How long frames took.
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace hewn {
+
+class FrameStats {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  void begin() { start_ = Clock::now(); }
+  /// `is_moving`: the camera is being turned; `is_busy`: a job runs.
+  void end(bool is_moving, bool is_busy);
+  /// One line of JSON: counts, means and largest values in milliseconds.
+  std::string summary() const;
+
+ private:
+  struct Frames {
+    std::vector<double> ms;
+    std::string text() const;
+  };
+  Frames all_, moving_, busy_;
+  Clock::time_point start_{};
+};
+
+}  // namespace hewn

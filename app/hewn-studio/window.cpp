@@ -1,0 +1,308 @@
+#include "app/hewn-studio/window.h"
+
+#include <epoxy/gl.h>
+
+#define GLFW_INCLUDE_NONE
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "core/base/file.h"
+#include "core/io/picture.h"
+#include "core/session/recovery.h"
+#include "ui/gl/gl_engine.h"
+#include "ui/studio.h"
+
+namespace hewn {
+namespace {
+
+/// Dear ImGui settles within this many frames after an event.
+constexpr int kFramesPerEvent = 3;
+constexpr double kWaitIdle_s = 1.0;
+constexpr double kWaitBusy_s = 0.1;
+
+/// GLFW, started and ended with the object.
+struct GlfwSession {
+  bool is_on = glfwInit() == GLFW_TRUE;
+  GlfwSession() = default;
+  GlfwSession(const GlfwSession&) = delete;
+  GlfwSession& operator=(const GlfwSession&) = delete;
+  ~GlfwSession() {
+    if (is_on) glfwTerminate();
+  }
+};
+
+struct ImGuiSession {
+  ImGuiSession() {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+  }
+  ImGuiSession(const ImGuiSession&) = delete;
+  ImGuiSession& operator=(const ImGuiSession&) = delete;
+  ~ImGuiSession() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+  }
+};
+
+std::string glfw_reason() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  return text ? text : "unknown reason";
+}
+
+Result<GLFWwindow*> make_window(const WindowOptions& options) {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  GLFWwindow* window =
+      glfwCreateWindow(options.width, options.height, "Hewn Studio", nullptr, nullptr);
+  if (window) return window;
+  return Error{ErrorCode::Internal,
+               fmt::format("OpenGL 4.3 is needed and not there: {}; update the graphics driver, or "
+                           "set LIBGL_ALWAYS_SOFTWARE=1, or use the command `hewn`",
+                           glfw_reason())};
+}
+
+struct KeyEvent {
+  int key = 0, scancode = 0, action = 0, mods = 0;
+};
+
+class Window {
+ public:
+  Window(GLFWwindow* window, GlEngine& engine, const Fonts& fonts, float scale,
+         const WindowOptions& options)
+      : window_(window),
+        options_(options),
+        session_(context(options), [this] { wake(); }),
+        studio_(session_, engine, fonts, scale),
+        autosave_(state_folder() / "recovery") {
+    glfwSetWindowUserPointer(window, this);
+    glfwSetKeyCallback(window, on_key);
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned c) {
+      self(w).touch();
+      ImGui_ImplGlfw_CharCallback(w, c);
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
+      self(w).touch();
+      ImGui_ImplGlfw_MouseButtonCallback(w, button, action, mods);
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+      self(w).touch();
+      ImGui_ImplGlfw_ScrollCallback(w, x, y);
+    });
+    glfwSetCursorPosCallback(window, on_cursor);
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+      self(w).touch();
+      if (count > 0) self(w).studio_.open(paths[0]);
+    });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { self(w).touch(); });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { self(w).touch(); });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+      self(w).touch();
+      ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+    });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+      self(w).touch();
+      ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+    });
+  }
+
+  void run() {
+    const auto settings = state_folder() / "studio.json";
+    studio_.load_settings(settings);
+    session_.set_live(options_.is_live);
+    offer_recovery();
+    if (!options_.file.empty()) studio_.open(options_.file);
+    while (!glfwWindowShouldClose(window_)) step();
+    static_cast<void>(studio_.save_settings(settings));
+    if (options_.has_frame_stats) std::printf("%s\n", stats_.summary().c_str());
+  }
+
+ private:
+  static RunContext context(const WindowOptions& options) {
+    RunContext run;
+    run.threads = options.threads;
+    return run;
+  }
+  static Window& self(GLFWwindow* window) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+  }
+  static void on_key(GLFWwindow* w, int key, int scancode, int action, int mods) {
+    self(w).touch();
+    self(w).tell_imgui({key, scancode, action, mods});
+    if (action == GLFW_REPEAT) return;
+    self(w).studio_.key(key, mods & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT),
+                        action == GLFW_PRESS);
+  }
+  /// Dear ImGui looks at keys once a frame: a release waits until its press has been seen.
+  void tell_imgui(const KeyEvent& event) {
+    const bool is_fresh = std::find(pressed_.begin(), pressed_.end(), event.key) != pressed_.end();
+    if (event.action == GLFW_RELEASE && is_fresh) {
+      releases_.push_back(event);
+      return;
+    }
+    if (event.action == GLFW_PRESS) pressed_.push_back(event.key);
+    ImGui_ImplGlfw_KeyCallback(window_, event.key, event.scancode, event.action, event.mods);
+  }
+  void tell_late_releases() {
+    pressed_.clear();
+    for (const KeyEvent& event : std::exchange(releases_, {})) {
+      ImGui_ImplGlfw_KeyCallback(window_, event.key, event.scancode, event.action, event.mods);
+      touch();
+    }
+  }
+  static void on_cursor(GLFWwindow* w, double, double) { self(w).touch(); }
+
+  void touch() { frames_due_ = kFramesPerEvent; }
+
+  /// From the worker. Posts at most one event until the window has seen it.
+  void wake() {
+    if (!has_news_.exchange(true)) glfwPostEmptyEvent();
+  }
+
+  void offer_recovery() {
+    for (const auto& copy : find_recoverable(state_folder() / "recovery")) {
+      session_.notify(Severity::Warning,
+                      fmt::format("work was not saved when the program last ended; its copy can be "
+                                  "opened: {}",
+                                  copy.string()));
+    }
+  }
+
+  void step() {
+    if (frames_due_ > 0) {
+      glfwPollEvents();
+    } else {
+      glfwWaitEventsTimeout(session_.is_busy() ? kWaitBusy_s : kWaitIdle_s);
+    }
+    if (has_news_.exchange(false)) touch();
+    if (session_.is_busy() && frames_due_ == 0) frames_due_ = 1;  // the clock of the job
+    if (session_.poll()) touch();
+    keep_records();
+    if (frames_due_ <= 0) return;
+    --frames_due_;
+    stats_.begin();
+    draw();
+    tell_late_releases();
+    stats_.end(studio_.is_moving(), session_.is_busy());
+  }
+
+  void draw() {
+    const std::uint64_t before = session_.revision();
+    int width = 0;
+    int height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    if (width == 0 || height == 0) return;
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    studio_.frame(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y);
+    ImGui::Render();
+    const ImVec4& c = studio_.ui().theme.line;
+    glViewport(0, 0, width, height);
+    glClearColor(c.x, c.y, c.z, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (std::exchange(studio_.state().wants_picture, false)) save_picture(width, height);
+    glfwSwapBuffers(window_);
+    if (studio_.state().wants_close) glfwSetWindowShouldClose(window_, GLFW_TRUE);
+    if (session_.revision() != before) touch();
+  }
+
+  void save_picture(int width, int height) {
+    Image image{width, height, {}};
+    image.rgb.resize(static_cast<std::size_t>(3) * width * height);
+    std::vector<std::uint8_t> rows(image.rgb.size());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, rows.data());
+    const std::size_t row = static_cast<std::size_t>(3) * width;
+    for (int y = 0; y < height; ++y) {
+      std::memcpy(&image.rgb[row * y], &rows[row * (height - 1 - y)], row);
+    }
+    std::error_code ignored;
+    std::filesystem::path path;
+    do {
+      path = options_.pictures / fmt::format("hewn-{}.png", ++pictures_);
+    } while (std::filesystem::exists(path, ignored));
+    if (auto done = save_png(image, path); !done) {
+      session_.notify(Severity::Error, done.error().message);
+    }
+    touch();
+  }
+
+  /// The command log and the copy of an unsaved plan.
+  void keep_records() {
+    if (!options_.record.empty() && session_.log().size() != recorded_) {
+      recorded_ = session_.log().size();
+      if (auto done = write_file(options_.record, session_.log()); !done) {
+        session_.notify(Severity::Error, done.error().message);
+      }
+    }
+    if (checked_revision_ == session_.revision() &&
+        Autosave::Clock::now() - checked_ < std::chrono::seconds(60)) {
+      return;
+    }
+    checked_revision_ = session_.revision();
+    checked_ = Autosave::Clock::now();
+    const auto done = autosave_.update(session_.document().project, session_.is_modified(),
+                                       Autosave::Clock::now());
+    if (!done) session_.notify(Severity::Warning, "no copy of the plan: " + done.error().message);
+  }
+
+  GLFWwindow* window_;
+  WindowOptions options_;
+  std::atomic<bool> has_news_{false};
+  Session session_;
+  Studio studio_;
+  Autosave autosave_;
+  FrameStats stats_;
+  std::size_t recorded_ = 0;
+  std::uint64_t checked_revision_ = 0;
+  Autosave::Clock::time_point checked_{};
+  std::vector<int> pressed_;  ///< keys that went down since the last frame
+  std::vector<KeyEvent> releases_;
+  int frames_due_ = kFramesPerEvent;
+  int pictures_ = 0;
+};
+
+}  // namespace
+
+Result<void> run_window(const WindowOptions& options) {
+  const GlfwSession glfw;
+  if (!glfw.is_on) {
+    return Error{ErrorCode::Internal,
+                 fmt::format("there is no display: {}; use the command `hewn`", glfw_reason())};
+  }
+  auto made = make_window(options);
+  if (!made) return made.error();
+  GLFWwindow* window = *made;
+  glfwMakeContextCurrent(window);
+  glfwSwapInterval(1);
+  auto engine = GlEngine::create();
+  if (!engine) return engine.error();
+  const ImGuiSession imgui;
+  ImGui_ImplGlfw_InitForOpenGL(window, false);
+  ImGui_ImplOpenGL3_Init("#version 430");
+  float scale = 1;
+  glfwGetWindowContentScale(window, &scale, nullptr);
+  const Fonts fonts = load_fonts(scale);
+  Window(window, *engine, fonts, scale, options).run();
+  return {};
+}
+
+}  // namespace hewn

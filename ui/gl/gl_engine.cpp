@@ -1,0 +1,294 @@
+#include "ui/gl/gl_engine.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "ui/gl/shaders.h"
+
+namespace hewn {
+namespace {
+
+void set(const GlProgram& program, const char* name, const glm::mat4& m) {
+  glUniformMatrix4fv(glGetUniformLocation(program.get(), name), 1, GL_FALSE, glm::value_ptr(m));
+}
+void set(const GlProgram& program, const char* name, const glm::mat3& m) {
+  glUniformMatrix3fv(glGetUniformLocation(program.get(), name), 1, GL_FALSE, glm::value_ptr(m));
+}
+void set(const GlProgram& program, const char* name, const glm::vec4& v) {
+  glUniform4fv(glGetUniformLocation(program.get(), name), 1, glm::value_ptr(v));
+}
+void set(const GlProgram& program, const char* name, const glm::vec3& v) {
+  glUniform3fv(glGetUniformLocation(program.get(), name), 1, glm::value_ptr(v));
+}
+void set(const GlProgram& program, const char* name, const glm::vec2& v) {
+  glUniform2fv(glGetUniformLocation(program.get(), name), 1, glm::value_ptr(v));
+}
+void set(const GlProgram& program, const char* name, float v) {
+  glUniform1f(glGetUniformLocation(program.get(), name), v);
+}
+void set(const GlProgram& program, const char* name, bool v) {
+  glUniform1i(glGetUniformLocation(program.get(), name), v ? 1 : 0);
+}
+
+/// The plane in the coordinates of a mesh whose origin lies `shift` from the scene's.
+glm::vec4 shifted(const glm::vec4& plane, const glm::vec3& shift) {
+  return {glm::vec3(plane), plane.w - glm::dot(glm::vec3(plane), shift)};
+}
+
+glm::vec3 shift_of(const Scene& scene, const GpuMesh& mesh) {
+  const Vec3 d = mesh.origin() - scene.origin;
+  return {static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())};
+}
+
+glm::mat4 matrix_for(const Scene& scene, const GpuMesh& mesh) {
+  return scene.projection * glm::translate(scene.view, shift_of(scene, mesh));
+}
+
+void attach(const GlFramebuffer& target, const GlRenderbuffer& depth) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target.get());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.get());
+}
+
+void allocate(const GlRenderbuffer& buffer, GLenum format, int width, int height, int samples) {
+  glBindRenderbuffer(GL_RENDERBUFFER, buffer.get());
+  if (samples > 1) {
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+  } else {
+    glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+  }
+}
+
+void allocate_texture(const GlTexture& texture, GLint internal, GLenum format, GLenum type,
+                      int width, int height) {
+  glBindTexture(GL_TEXTURE_2D, texture.get());
+  glTexImage2D(GL_TEXTURE_2D, 0, internal, width, height, 0, format, type, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+}  // namespace
+
+Result<GlEngine> GlEngine::create() {
+  GlEngine out;
+  const struct {
+    GlProgram* program;
+    const char *vertex, *fragment;
+  } programs[] = {{&out.faces_, shaders::mesh_vert, shaders::mesh_frag},
+                  {&out.ids_, shaders::mesh_vert, shaders::ids_frag},
+                  {&out.lines_, shaders::lines_vert, shaders::lines_frag},
+                  {&out.sheets_, shaders::sheet_vert, shaders::sheet_frag},
+                  {&out.backdrop_, shaders::backdrop_vert, shaders::backdrop_frag}};
+  for (const auto& p : programs) {
+    auto linked = link_program(p.vertex, p.fragment);
+    if (!linked) return linked.error();
+    *p.program = std::move(*linked);
+  }
+  out.empty_array_ = make_vertex_array();
+  out.sheet_array_ = make_vertex_array();
+  out.sheet_buffer_ = make_buffer();
+  glBindVertexArray(out.sheet_array_.get());
+  glBindBuffer(GL_ARRAY_BUFFER, out.sheet_buffer_.get());
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+  glEnableVertexAttribArray(0);
+  glBindVertexArray(0);
+  return out;
+}
+
+void GlEngine::resize(int width, int height, int samples) {
+  if (width == width_ && height == height_ && samples == samples_) return;
+  width_ = width;
+  height_ = height;
+  samples_ = samples;
+  target_ = make_framebuffer();
+  texture_ = make_texture();
+  depth_ = make_renderbuffer();
+  allocate_texture(texture_, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
+  allocate(depth_, GL_DEPTH_COMPONENT24, width, height, 1);
+  attach(target_, depth_);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.get(), 0);
+  multi_target_.reset();
+  if (samples == 1) return;
+  multi_target_ = make_framebuffer();
+  multi_colour_ = make_renderbuffer();
+  multi_depth_ = make_renderbuffer();
+  allocate(multi_colour_, GL_RGBA8, width, height, samples);
+  allocate(multi_depth_, GL_DEPTH_COMPONENT24, width, height, samples);
+  attach(multi_target_, multi_depth_);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                            multi_colour_.get());
+}
+
+void GlEngine::resize_ids(int width, int height) {
+  if (width == id_width_ && height == id_height_) return;
+  id_width_ = width;
+  id_height_ = height;
+  id_target_ = make_framebuffer();
+  id_texture_ = make_texture();
+  id_depth_ = make_renderbuffer();
+  allocate_texture(id_texture_, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, width, height);
+  allocate(id_depth_, GL_DEPTH_COMPONENT24, width, height, 1);
+  attach(id_target_, id_depth_);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, id_texture_.get(), 0);
+}
+
+void GlEngine::draw_faces(const Scene& scene, const SceneItem& item) const {
+  const GpuMesh& part = mesh(item.slot);
+  const glm::vec3 shift = shift_of(scene, part);
+  glUseProgram(faces_.get());
+  set(faces_, "view_projection", matrix_for(scene, part));
+  set(faces_, "section", shifted(scene.section, shift));
+  set(faces_, "knife", shifted(scene.knife, shift));
+  set(faces_, "to_view", glm::mat3(scene.view));
+  set(faces_, "opacity", item.opacity);
+  set(faces_, "accent", scene.accent);
+  set(faces_, "cut_face", scene.cut_face);
+  set(faces_, "shows_deviation", item.shows_deviation);
+  set(faces_, "deviation_scale", item.deviation_scale);
+  set(faces_, "has_knife", scene.has_knife);
+  part.bind_states();
+  part.draw_faces();
+}
+
+void GlEngine::draw_lines(const Scene& scene, const SceneItem& item) const {
+  const GpuMesh& part = mesh(item.slot);
+  glUseProgram(lines_.get());
+  set(lines_, "view_projection", matrix_for(scene, part));
+  set(lines_, "section", shifted(scene.section, shift_of(scene, part)));
+  glm::vec4 plain = scene.line;
+  plain.a *= item.opacity;
+  set(lines_, "plain", plain);
+  set(lines_, "selected", scene.selected_line);
+  part.bind_states();
+  part.draw_lines();
+}
+
+void GlEngine::draw_wires(const Scene& scene, const SceneItem& item) const {
+  const GpuMesh& part = mesh(item.slot);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  glEnable(GL_POLYGON_OFFSET_LINE);
+  glPolygonOffset(-1, -1);
+  glUseProgram(sheets_.get());
+  set(sheets_, "view_projection", matrix_for(scene, part));
+  glm::vec4 tint = scene.line;
+  tint.a *= 0.5F;
+  set(sheets_, "tint", tint);
+  part.draw_faces();
+  glDisable(GL_POLYGON_OFFSET_LINE);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+void GlEngine::draw_item(const Scene& scene, const SceneItem& item) const {
+  if (mesh(item.slot).is_empty()) return;
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  if (item.opacity < 1) {
+    glEnable(GL_BLEND);
+    glDepthMask(GL_FALSE);
+  }
+  draw_faces(scene, item);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_BLEND);
+  if (item.has_lines) draw_lines(scene, item);
+  if (scene.is_wireframe) draw_wires(scene, item);
+  glDisable(GL_BLEND);
+}
+
+void GlEngine::draw_sheets(const Scene& scene) const {
+  glUseProgram(sheets_.get());
+  set(sheets_, "view_projection", scene.projection * scene.view);
+  glBindVertexArray(sheet_array_.get());
+  glDepthMask(GL_FALSE);
+  for (const SceneSheet& sheet : scene.sheets) {
+    const glm::vec3 strip[] = {sheet.corners[0], sheet.corners[1], sheet.corners[3],
+                               sheet.corners[2]};
+    glBindBuffer(GL_ARRAY_BUFFER, sheet_buffer_.get());
+    glBufferData(GL_ARRAY_BUFFER, sizeof strip, strip, GL_STREAM_DRAW);
+    set(sheets_, "tint", sheet.tint);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    const glm::vec4 rim(glm::vec3(sheet.tint), 0.9F);
+    glBufferData(GL_ARRAY_BUFFER, sizeof sheet.corners, sheet.corners, GL_STREAM_DRAW);
+    set(sheets_, "tint", rim);
+    glDrawArrays(GL_LINE_LOOP, 0, 4);
+  }
+  glDepthMask(GL_TRUE);
+}
+
+void GlEngine::draw_backdrop(const Scene& scene) const {
+  glDisable(GL_DEPTH_TEST);
+  glUseProgram(backdrop_.get());
+  set(backdrop_, "top", scene.top);
+  set(backdrop_, "bottom", scene.bottom);
+  glBindVertexArray(empty_array_.get());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void GlEngine::show_mesh(MeshSlot slot, const DisplayMesh* shown) {
+  GpuMesh& part = meshes_[static_cast<std::size_t>(slot)];
+  if (shown) {
+    part.upload(*shown);
+  } else {
+    part.clear();
+  }
+}
+
+void GlEngine::set_states(MeshSlot slot, std::span<const LabelState> states) {
+  meshes_[static_cast<std::size_t>(slot)].set_states(states);
+}
+
+std::uint64_t GlEngine::draw(const Scene& scene, int width, int height, int samples) {
+  resize(width, height, samples);
+  glBindFramebuffer(GL_FRAMEBUFFER, samples > 1 ? multi_target_.get() : target_.get());
+  glViewport(0, 0, width, height);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  draw_backdrop(scene);
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_CLIP_DISTANCE0);
+  for (const SceneItem& item : scene.items) draw_item(scene, item);
+  glDisable(GL_CLIP_DISTANCE0);
+  glEnable(GL_BLEND);
+  draw_sheets(scene);
+  glDisable(GL_BLEND);
+  glDisable(GL_DEPTH_TEST);
+  if (samples > 1) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, multi_target_.get());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target_.get());
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  glBindVertexArray(0);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  return texture_.get();
+}
+
+void GlEngine::read_ids(const Scene& scene, int width, int height, IdImage& out) {
+  resize_ids(width, height);
+  glBindFramebuffer(GL_FRAMEBUFFER, id_target_.get());
+  glViewport(0, 0, width, height);
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+  const GLuint none[4] = {0, 0, 0, 0};
+  glClearBufferuiv(GL_COLOR, 0, none);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  if (!scene.items.empty() && !mesh(scene.items[0].slot).is_empty()) {
+    const GpuMesh& part = mesh(scene.items[0].slot);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CLIP_DISTANCE0);
+    glUseProgram(ids_.get());
+    set(ids_, "view_projection", matrix_for(scene, part));
+    set(ids_, "section", shifted(scene.section, shift_of(scene, part)));
+    part.bind_states();
+    part.draw_faces();
+    glDisable(GL_CLIP_DISTANCE0);
+    glDisable(GL_DEPTH_TEST);
+  }
+  out.width = width;
+  out.height = height;
+  out.ids.resize(static_cast<std::size_t>(width) * height);
+  glReadPixels(0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, out.ids.data());
+  glBindVertexArray(0);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+}  // namespace hewn

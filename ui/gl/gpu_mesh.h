@@ -1,0 +1,34 @@
+#pragma once
+/// A display mesh in the graphics memory, with the present look of each of its labels.
+#include <span>
+
+#include "core/session/display_mesh.h"
+#include "ui/gl/program.h"
+#include "ui/view/scene.h"
+
+namespace hewn {
+
+/// All functions need a current OpenGL context.
+class GpuMesh {
+ public:
+  void upload(const DisplayMesh& mesh);
+  void clear() { corners_ = lines_ = 0; }
+  /// One for each label.
+  void set_states(std::span<const LabelState> states);
+  bool is_empty() const { return corners_ == 0; }
+  const Vec3& origin() const { return origin_; }
+  /// Binds the labels' looks to texture unit 0.
+  void bind_states() const;
+  void draw_faces() const;
+  void draw_lines() const;
+
+ private:
+  GlVertexArray face_array_, line_array_;
+  GlBuffer face_buffer_, line_buffer_, state_buffer_;
+  GlTexture state_texture_;
+  GLsizei corners_ = 0;
+  GLsizei lines_ = 0;
+  Vec3 origin_ = Vec3::Zero();
+};
+
+}  // namespace hewn

@@ -1,0 +1,15 @@
+#pragma once
+/// The sources in shaders/, embedded at build time.
+namespace hewn::shaders {
+
+extern const char* const backdrop_frag;
+extern const char* const backdrop_vert;
+extern const char* const ids_frag;
+extern const char* const lines_frag;
+extern const char* const lines_vert;
+extern const char* const mesh_frag;
+extern const char* const mesh_vert;
+extern const char* const sheet_frag;
+extern const char* const sheet_vert;
+
+}  // namespace hewn::shaders

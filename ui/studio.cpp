@@ -1,0 +1,173 @@
+#include "ui/studio.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/file.h"
+#include "ui/panels/widgets.h"
+
+namespace hewn {
+namespace {
+
+constexpr int kSpace = 32;
+constexpr std::size_t kMostRecent = 8;
+
+bool is_typing() { return ImGui::GetIO().WantTextInput; }
+
+}  // namespace
+
+Studio::Studio(Session& session, RenderEngine& engine, const Fonts& fonts, float scale)
+    : ui_{session, state_, dark_theme(), fonts, scale, &actions_}, viewport_(engine) {
+  apply_theme(ui_.theme, scale);
+}
+
+void Studio::open(const std::filesystem::path& path) {
+  if (!ui_.session.execute(OpenFile{path})) return;
+  state_.selected.clear();
+  state_.hidden.clear();
+  state_.active_partition.clear();
+  state_.show = ShowMode::Input;
+  state_.wants_fit = true;
+}
+
+bool Studio::key(int key, int mods, bool is_down) {
+  if (key == kSpace && mods == 0 && !is_typing()) {
+    state_.is_comparing = is_down;
+    return true;
+  }
+  if (!is_down) return false;
+  constexpr int kEscape = 256;
+  // While a text is typed, letters belong to it; Ctrl and Esc do not.
+  if (is_typing() && key != kEscape && !(mods & kCtrl)) return false;
+  if (is_typing() && (key == 'A' || key == 'Z')) return false;
+  return run_shortcut(ui_, key, mods);
+}
+
+void Studio::remember_recent() {
+  const auto& mesh = ui_.session.document().project.mesh;
+  const auto& project = ui_.session.project_path();
+  const auto& path = project.empty() ? mesh : project;
+  if (path.empty()) return;
+  std::error_code ignored;
+  const auto full = std::filesystem::absolute(path, ignored);
+  auto& recent = state_.recent;
+  if (!recent.empty() && recent.front() == full) return;
+  std::erase(recent, full);
+  recent.insert(recent.begin(), full);
+  if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+}
+
+void Studio::draw_splitter(const char* name, float x, const PanelArea& middle, float& width,
+                           float sign) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  begin_panel(name, {x, middle.y, ui_.px(4), middle.height}, ui_.theme.background);
+  ImGui::InvisibleButton("drag", {ui_.px(4), middle.height});
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  }
+  if (ImGui::IsItemActive()) {
+    width = std::clamp(width + sign * ImGui::GetIO().MouseDelta.x / ui_.scale, 200.0F, 520.0F);
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+void Studio::draw_view(const PanelArea& area) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  begin_panel("view", area, ui_.theme.background,
+              ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  viewport_.draw(ui_, {area.x, area.y, area.width, area.height});
+  draw_gizmo(ui_, area);
+  if (ui_.session.document().project.mesh.empty()) {
+    const char* text = "Drop a mesh here, or press Ctrl+O";
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    ImGui::SetCursorScreenPos(
+        {area.x + (area.width - size.x) / 2, area.y + (area.height - size.y) / 2});
+    faint_text(ui_, text);
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+void Studio::frame(float width, float height) {
+  if (state_.is_light != was_light_) {
+    was_light_ = state_.is_light;
+    ui_.theme = state_.is_light ? light_theme() : dark_theme();
+    apply_theme(ui_.theme, ui_.scale);
+  }
+  remember_recent();
+  ImGui::PushFont(ui_.fonts.body);
+  ImGui::PushStyleColor(ImGuiCol_MenuBarBg, ui_.theme.panel);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui_.px(8), ui_.px(6)});
+  float top = 0;
+  if (ImGui::BeginMainMenuBar()) {
+    draw_menu_bar(ui_);
+    top = ImGui::GetWindowHeight();
+    ImGui::EndMainMenuBar();
+  }
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+
+  const float left = ui_.px(state_.left_width);
+  const float right = ui_.px(state_.right_width);
+  const float bottom = ui_.px(26);
+  const float split = ui_.px(4);
+  const float tools = ui_.px(40);
+  const float inner = height - top - bottom - 1;
+  const PanelArea window{0, top, width, inner};
+  const PanelArea middle{left + split, top + 1, width - left - right - 2 * split, inner};
+  const PanelArea view{middle.x, middle.y + tools, middle.width, middle.height - tools};
+  draw_plan_panel(ui_, {0, top + 1, left, inner});
+  draw_splitter("left edge", left, middle, state_.left_width, 1);
+  draw_toolbar(ui_, {middle.x, middle.y, middle.width, tools});
+  draw_view(view);
+  draw_splitter("right edge", width - right - split, middle, state_.right_width, -1);
+  draw_result_panel(ui_, {width - right, top + 1, right, inner});
+  draw_status_bar(ui_, {0, height - bottom, width, bottom});
+  draw_selection_card(ui_, view);
+  draw_knife_card(ui_, view);
+  draw_section_slider(ui_, view);
+  draw_deviation_legend(ui_, view);
+  draw_hints(ui_, view);
+  draw_notices(ui_, view);
+  draw_palette(ui_, window);
+  draw_keys(ui_, window);
+  draw_file_panel(ui_, window);
+  ImGui::PopFont();
+}
+
+void Studio::load_settings(const std::filesystem::path& file) {
+  const auto text = read_file(file);
+  if (!text) return;
+  const auto json = nlohmann::json::parse(*text, nullptr, false);
+  if (!json.is_object()) return;
+  try {
+    state_.is_light = json.value("light", false);
+    state_.left_width = std::clamp(json.value("left", state_.left_width), 200.0F, 520.0F);
+    state_.right_width = std::clamp(json.value("right", state_.right_width), 200.0F, 520.0F);
+    state_.shows_hints = json.value("hints", true);
+    for (const auto& path : json.value("recent", std::vector<std::string>{})) {
+      if (state_.recent.size() < kMostRecent) state_.recent.emplace_back(path);
+    }
+  } catch (const nlohmann::json::exception&) {
+    return;  // settings of another version: what was read stays
+  }
+}
+
+Result<void> Studio::save_settings(const std::filesystem::path& file) const {
+  std::vector<std::string> recent;
+  for (const auto& path : state_.recent) recent.push_back(path.string());
+  const nlohmann::json json = {{"light", state_.is_light},
+                               {"left", state_.left_width},
+                               {"right", state_.right_width},
+                               {"hints", state_.shows_hints},
+                               {"recent", recent}};
+  std::error_code ignored;
+  std::filesystem::create_directories(file.parent_path(), ignored);
+  return write_file(file,
+                    json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace hewn

@@ -1,0 +1,94 @@
+#pragma once
+/// What the window remembers beside the session: views, selection, panels. None of it is undone.
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/session/selecting.h"
+#include "core/session/session.h"
+#include "ui/theme.h"
+#include "ui/view/camera.h"
+
+namespace hewn {
+
+enum class Tool { Select, Box, Knife };
+enum class ColourMode { Group, Kind, Partition, Deviation };
+enum class ShowMode { Input, Result, Overlay };
+
+/// The cut that is being placed.
+struct KnifeState {
+  bool is_dragging = false;
+  std::array<float, 2> from{}, to{};  ///< window pixels
+  std::optional<SnappedPlane> plane;
+  int crossed = 0;  ///< groups that it would divide
+  std::array<char, 32> offset_text{};
+};
+
+/// A file to open, save or export, being chosen.
+struct FileRequest {
+  enum class Kind { None, Open, SaveProject, Export } kind = Kind::None;
+  std::filesystem::path folder;
+  std::string name;
+  bool has_focus = false;
+};
+
+struct StudioState {
+  Camera camera;
+  Tool tool = Tool::Select;
+  ColourMode colours = ColourMode::Group;
+  ShowMode show = ShowMode::Input;
+  bool is_xray = false;
+  bool is_wireframe = false;
+  bool is_comparing = false;      ///< the compare key is held: the input alone
+  int section_axis = -1;          ///< 0..2; -1: no section
+  double section_share = 0.5;     ///< of the part's extent along the axis
+  double tolerance_share = 1e-4;  ///< of the diagonal: grey in the deviation map
+
+  std::vector<int> selected;  ///< face groups, ascending
+  int hovered = -1;           ///< face group
+  int hovered_literal = -1;
+  int picked_literal = -1;
+  std::vector<int> hovered_groups;  ///< of a row in a list
+  std::set<int> hidden;             ///< face groups
+  PartitionPath active_partition;   ///< where new partitions go
+  KnifeState knife;
+
+  bool is_light = false;
+  bool shows_palette = false;
+  bool shows_keys = false;
+  bool shows_settings = false;
+  bool shows_hints = true;
+  int hint = 0;  ///< next of the four hints
+  FileRequest file;
+  std::string palette_text;
+  int palette_at = 0;
+  PartitionPath renaming;
+  bool is_renaming = false;
+  std::string rename_text;
+  float left_width = 264, right_width = 312;  ///< at scale 1
+
+  bool wants_fit = false;  ///< when the mesh arrives
+  bool wants_close = false;
+  bool wants_picture = false;  ///< of the whole window
+  std::vector<std::filesystem::path> recent;
+};
+
+struct Action;
+
+/// What panels are given: they read the session, keep to the state and make commands.
+struct Ui {
+  Session& session;
+  StudioState& state;
+  Theme theme;
+  Fonts fonts;
+  float scale = 1;
+  const std::vector<Action>* actions = nullptr;
+
+  float px(float at_scale_1) const { return std::round(at_scale_1 * scale); }
+};
+
+}  // namespace hewn

@@ -1,0 +1,15 @@
+#pragma once
+/// Aiming a cut: from a line on the screen, or from numbers.
+#include "ui/studio_state.h"
+#include "ui/view/look.h"
+
+namespace hewn {
+
+/// The plane through the line from `knife.from` to `knife.to` and the eye, snapped; Alt leaves it
+/// as drawn. Counts the groups that it would divide.
+void aim_knife(Ui& ui, const ViewArea& area);
+
+/// Puts another plane in place, as a number entry does.
+void set_knife_plane(Ui& ui, const SnappedPlane& plane);
+
+}  // namespace hewn

@@ -1,0 +1,186 @@
+#include "ui/view/look.h"
+
+#include <algorithm>
+
+namespace hewn {
+namespace {
+
+glm::vec3 rgb(const ImVec4& c) { return {c.x, c.y, c.z}; }
+
+bool holds(const std::vector<int>& sorted, int value) {
+  return std::binary_search(sorted.begin(), sorted.end(), value);
+}
+
+/// Colour by partition: the number of the partition that owns each group; -1: none.
+std::vector<int> owners(const Ui& ui) {
+  std::vector<int> out(ui.session.document().prepared->segmentation.groups.size(), -1);
+  const auto& views = ui.session.partitions();
+  for (std::size_t p = 0; p < views.size(); ++p) {
+    for (const int g : views[p].partition.groups) out[g] = static_cast<int>(p);
+  }
+  return out;
+}
+
+LabelState base_state(const Ui& ui, int group, const std::vector<int>& owner) {
+  const FaceGroup& face = ui.session.document().prepared->segmentation.groups[group];
+  switch (ui.state.colours) {
+    case ColourMode::Kind:
+      return kind_state(face.surface.kind, face.is_fitted);
+    case ColourMode::Partition:
+      return owner[group] < 0 ? LabelState{0x9a, 0xa0, 0xa6, 0} : golden_state(owner[group]);
+    case ColourMode::Group:
+    case ColourMode::Deviation:
+      break;
+  }
+  return golden_state(group);
+}
+
+/// A square in the plane, as large as the part.
+SceneSheet sheet_for(const Vec3& normal, double offset, const Box3& bounds, const Vec3& origin) {
+  SceneSheet sheet;
+  const Vec3 center = bounds.center() + normal * (offset - normal.dot(bounds.center())) - origin;
+  const Tangents frame = tangents(normal);
+  const double reach = 0.58 * bounds.diagonal();
+  const double signs[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 p = center + frame.u * (signs[k][0] * reach) + frame.w * (signs[k][1] * reach);
+    sheet.corners[k] = {static_cast<float>(p.x()), static_cast<float>(p.y()),
+                        static_cast<float>(p.z())};
+  }
+  return sheet;
+}
+
+glm::vec4 scene_plane(const Vec3& normal, double offset, const Vec3& origin) {
+  const double shifted = offset - normal.dot(origin);
+  return {static_cast<float>(normal.x()), static_cast<float>(normal.y()),
+          static_cast<float>(normal.z()), static_cast<float>(shifted)};
+}
+
+void add_items(const Ui& ui, Scene& scene) {
+  const ShowMode show = ui.state.is_comparing ? ShowMode::Input : ui.state.show;
+  const auto view = ui.session.result_view();
+  const bool has_surface = view && !view->surface.corners.empty();
+  SceneItem input;
+  input.opacity = ui.state.is_xray ? 0.35F : 1;
+  if (shows_deviation(ui)) {
+    input.slot = MeshSlot::Measured;
+    input.shows_deviation = true;
+    input.deviation_scale = deviation_scale(ui);
+    scene.items.push_back(input);
+    return;
+  }
+  if (show == ShowMode::Input || !has_surface) {
+    scene.items.push_back(input);
+    return;
+  }
+  SceneItem surface;
+  surface.slot = MeshSlot::Surface;
+  surface.opacity = input.opacity;
+  scene.items.push_back(surface);
+  if (show == ShowMode::Overlay) {
+    input.opacity = 0.22F;
+    scene.items.push_back(input);
+  }
+}
+
+void set_colours(const Ui& ui, Scene& scene) {
+  const Theme& theme = ui.theme;
+  const glm::vec3 base = rgb(theme.background);
+  scene.top = theme.is_light ? glm::vec3(0.985F) : base * 1.35F;
+  scene.bottom = theme.is_light ? base * 0.93F : base * 0.85F;
+  scene.accent = to_linear(theme.accent);
+  scene.cut_face = theme.is_light ? glm::vec3(0.20F, 0.22F, 0.25F) : glm::vec3(0.10F, 0.11F, 0.13F);
+  scene.line =
+      theme.is_light ? glm::vec4(0.11F, 0.13F, 0.16F, 0.85F) : glm::vec4(0.04F, 0.05F, 0.06F, 0.9F);
+  scene.selected_line = glm::vec4(rgb(theme.accent), 1);
+}
+
+}  // namespace
+
+bool shows_deviation(const Ui& ui) {
+  const ShowMode show = ui.state.is_comparing ? ShowMode::Input : ui.state.show;
+  return ui.state.colours == ColourMode::Deviation && ui.session.result_view() &&
+         show == ShowMode::Input;
+}
+
+glm::vec2 deviation_scale(const Ui& ui) {
+  const auto view = ui.session.result_view();
+  const double diagonal = ui.session.document().prepared->mesh->diagonal();
+  const double tolerance = ui.state.tolerance_share * diagonal;
+  const double largest = std::max(view ? view->max_deviation : 0, 2 * tolerance);
+  return {static_cast<float>(tolerance), static_cast<float>(largest)};
+}
+
+std::vector<LabelState> group_states(const Ui& ui) {
+  const Document& document = ui.session.document();
+  std::vector<LabelState> states;
+  if (!document.is_ready()) return states;
+  std::vector<int> owner;
+  if (ui.state.colours == ColourMode::Partition) owner = owners(ui);
+  const int count = static_cast<int>(document.prepared->segmentation.groups.size());
+  const bool has_knife = ui.state.knife.plane.has_value();
+  for (int g = 0; g < count; ++g) {
+    LabelState state = base_state(ui, g, owner);
+    if (ui.state.hidden.contains(g)) state.flags |= kHiddenFlag;
+    if (holds(ui.state.selected, g)) state.flags |= kSelectedFlag;
+    if (g == ui.state.hovered || holds(ui.state.hovered_groups, g)) state.flags |= kHoveredFlag;
+    const bool is_cut = ui.state.selected.empty() || holds(ui.state.selected, g);
+    if (has_knife && is_cut) {
+      state.flags |= kUnderKnifeFlag;
+      state.flags &= static_cast<std::uint8_t>(~kSelectedFlag);
+    }
+    states.push_back(state);
+  }
+  return states;
+}
+
+std::vector<LabelState> literal_states(const Ui& ui) {
+  const auto shown = ui.session.shown_result();
+  std::vector<LabelState> states;
+  if (!shown) return states;
+  const int count = static_cast<int>(shown->found.tree.literals.size());
+  const bool has_pick = ui.state.picked_literal >= 0 || ui.state.hovered_literal >= 0;
+  for (int l = 0; l < count; ++l) {
+    LabelState state = golden_state(l);
+    if (l == ui.state.picked_literal) state.flags |= kSelectedFlag;
+    if (l == ui.state.hovered_literal) state.flags |= kHoveredFlag;
+    if (has_pick && state.flags == 0) state.flags |= kFadedFlag;
+    states.push_back(state);
+  }
+  return states;
+}
+
+SectionPlane section_plane(const Ui& ui) {
+  SectionPlane plane;
+  const Box3& bounds = ui.session.document().prepared->mesh->bounds;
+  const int k = std::max(ui.state.section_axis, 0);
+  plane.normal = Vec3::Unit(k);
+  plane.offset = bounds.lo[k] + ui.state.section_share * (bounds.hi[k] - bounds.lo[k]);
+  return plane;
+}
+
+Scene build_scene(const Ui& ui, const ViewArea& area) {
+  Scene scene;
+  set_colours(ui, scene);
+  scene.view = ui.state.camera.view();
+  scene.projection = ui.state.camera.projection(area.aspect());
+  scene.is_wireframe = ui.state.is_wireframe;
+  const Document& document = ui.session.document();
+  if (!document.is_ready()) return scene;
+  const Box3& bounds = document.prepared->mesh->bounds;
+  scene.origin = bounds.center();
+  add_items(ui, scene);
+  if (ui.state.section_axis >= 0) {
+    const SectionPlane plane = section_plane(ui);
+    scene.section = scene_plane(plane.normal, plane.offset, scene.origin);
+  }
+  if (const auto& plane = ui.state.knife.plane) {
+    scene.has_knife = true;
+    scene.knife = scene_plane(plane->normal, plane->offset, scene.origin);
+    scene.sheets.push_back(sheet_for(plane->normal, plane->offset, bounds, scene.origin));
+    scene.sheets.back().tint = glm::vec4(rgb(ui.theme.accent), 0.16F);
+  }
+  return scene;
+}
+
+}  // namespace hewn

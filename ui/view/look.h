@@ -1,0 +1,38 @@
+#pragma once
+/// From session and state to what is to be seen: the scene and the look of every label.
+#include <vector>
+
+#include "ui/studio_state.h"
+#include "ui/view/scene.h"
+
+namespace hewn {
+
+/// Where a view is and what lies in it.
+struct ViewArea {
+  float x = 0, y = 0;           ///< window pixels, top left
+  float width = 1, height = 1;  ///< pixels
+  double aspect() const { return width / height; }
+};
+
+/// The looks of the input's groups.
+std::vector<LabelState> group_states(const Ui& ui);
+
+/// The looks of the result's literals.
+std::vector<LabelState> literal_states(const Ui& ui);
+
+/// Whether the deviations are to be shown and there are some.
+bool shows_deviation(const Ui& ui);
+
+Scene build_scene(const Ui& ui, const ViewArea& area);
+
+/// The plane of the section: normal and offset in model coordinates.
+struct SectionPlane {
+  Vec3 normal = Vec3::UnitZ();
+  double offset = 0;
+};
+SectionPlane section_plane(const Ui& ui);
+
+/// The tolerance and the end of the colours, in model units.
+glm::vec2 deviation_scale(const Ui& ui);
+
+}  // namespace hewn

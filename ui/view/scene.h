@@ -1,0 +1,92 @@
+#pragma once
+/// What is to be seen, without a word of how it is drawn.
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "core/session/display_mesh.h"
+
+namespace hewn {
+
+/// How the faces of one label look; bits as in shaders/mesh.frag.
+struct LabelState {
+  std::uint8_t red = 0, green = 0, blue = 0;  ///< sRGB
+  std::uint8_t flags = 0;
+  bool operator==(const LabelState&) const = default;
+};
+inline constexpr std::uint8_t kHiddenFlag = 1;
+inline constexpr std::uint8_t kSelectedFlag = 2;
+inline constexpr std::uint8_t kHoveredFlag = 4;
+inline constexpr std::uint8_t kUnderKnifeFlag = 8;
+inline constexpr std::uint8_t kFadedFlag = 16;
+
+/// The meshes that an engine keeps: the input by groups, the result's surface by literals, and the
+/// input by literals with deviations.
+enum class MeshSlot { Input, Surface, Measured };
+inline constexpr int kMeshSlots = 3;
+
+struct SceneItem {
+  MeshSlot slot = MeshSlot::Input;
+  float opacity = 1;
+  bool has_lines = true;
+  bool shows_deviation = false;
+  glm::vec2 deviation_scale{0, 1};  ///< tolerance and largest, model units
+  bool operator==(const SceneItem&) const = default;
+};
+
+/// A translucent quadrilateral in scene coordinates.
+struct SceneSheet {
+  glm::vec3 corners[4];
+  glm::vec4 tint{1, 1, 1, 0.2F};  ///< sRGB
+  bool operator==(const SceneSheet&) const = default;
+};
+
+/// Scene coordinates are model coordinates less `origin`.
+struct Scene {
+  std::vector<SceneItem> items;
+  std::vector<SceneSheet> sheets;
+  Vec3 origin = Vec3::Zero();
+  glm::mat4 view{1}, projection{1};
+  glm::vec4 section{0}, knife{0};
+  bool has_knife = false;
+  bool is_wireframe = false;
+  glm::vec3 top{0}, bottom{0};          ///< backdrop, sRGB
+  glm::vec3 accent{0}, cut_face{0};     ///< linear
+  glm::vec4 line{0}, selected_line{1};  ///< sRGB
+  bool operator==(const Scene&) const = default;
+};
+
+/// Label + 1 of every pixel, rows from the bottom; 0 where nothing is.
+struct IdImage {
+  int width = 0, height = 0;
+  std::vector<std::uint32_t> ids;
+  /// The label at a pixel counted from the top left; -1: none.
+  int at(int x, int y) const;
+};
+
+/// Draws scenes. Tests use one that draws nothing.
+class RenderEngine {
+ public:
+  virtual ~RenderEngine() = default;
+  /// Null: the slot becomes empty.
+  virtual void show_mesh(MeshSlot slot, const DisplayMesh* mesh) = 0;
+  /// One for each label of the slot's mesh.
+  virtual void set_states(MeshSlot slot, std::span<const LabelState> states) = 0;
+  /// Returns the picture's handle for Dear ImGui. `samples`: 1 or 4 per pixel.
+  virtual std::uint64_t draw(const Scene& scene, int width, int height, int samples) = 0;
+  /// The labels of the first item.
+  virtual void read_ids(const Scene& scene, int width, int height, IdImage& out) = 0;
+};
+
+/// An engine without a screen.
+class NullEngine : public RenderEngine {
+ public:
+  void show_mesh(MeshSlot, const DisplayMesh*) override {}
+  void set_states(MeshSlot, std::span<const LabelState>) override {}
+  std::uint64_t draw(const Scene&, int, int, int) override { return 0; }
+  void read_ids(const Scene&, int width, int height, IdImage& out) override;
+};
+
+}  // namespace hewn
