@@ -23,6 +23,8 @@ constexpr double kMaxFacetShare = 0.4;  // of a resampled curved group, in one f
 constexpr int kManySurfaces = 60;
 constexpr double kLoose = 0.3;
 constexpr double kMostlyLoose = 0.8;      // of the surfaces
+constexpr double kSignificant = 10;       // F-test
+constexpr double kSameFit = 0.3;          // of what exact vertices may stray
 constexpr double kCovering = 0.95;        // of a component's free facets on one cylinder,
 constexpr int kConfirmed = 2;             // for this many seeds
 constexpr double kMaxRadius = 5;          // in diagonals
@@ -113,6 +115,7 @@ class CurvedGrower {
       failures = 0;
       ++found;
       ++surfaces_;
+      simplify(best.surface, best.facets);
       loose += best.looseness > (tolerance_.is_resampled ? kResampledSlack : 1) * kLoose;
       for (const int f : best.facets) group_of_[f] = static_cast<int>(groups.size());
       groups.push_back({best.surface, std::move(best.facets)});
@@ -371,6 +374,34 @@ class CurvedGrower {
     Candidate c{s, std::move(facets), 0, looseness};
     c.score = area * simplicity(s.kind) * tightness * (c.facets.size() < 6 ? 0.5 : 1);
     return c;
+  }
+
+  /// Takes a cylinder instead of a cone or torus, or a sphere instead of a torus, when that
+  /// explains the facets' corners as well: F-test of the parameters that it saves. Small pieces of
+  /// a cylinder with inexact corners pass for tori of any size.
+  void simplify(Surface& surface, const std::vector<int>& facets) {
+    if (surface.kind != SurfaceKind::Cone && surface.kind != SurfaceKind::Torus) return;
+    const FacetFitSettings settings{20, false, 0};
+    Surface own = surface;
+    if (!fitter_.refine(own, facets, settings)) own = surface;
+    const FitQuality q = fitter_.evaluate(own, facets);
+    const double corners = static_cast<double>(fitter_.corner_indices(facets).size());
+    for (Surface s : fitter_.guess(facets)) {
+      const bool is_simpler =
+          s.kind == SurfaceKind::Cylinder ||
+          (s.kind == SurfaceKind::Sphere && surface.kind == SurfaceKind::Torus && !is_flat(facets));
+      if (!is_simpler || !fitter_.refine(s, facets, settings)) continue;
+      const FitQuality simple = fitter_.evaluate(s, facets);
+      const int saved = parameter_count(surface.kind) - parameter_count(s.kind);
+      const double freedom = std::max(1.0, corners - parameter_count(surface.kind));
+      const double allowed = q.rms_distance * std::sqrt(1 + kSignificant * saved / freedom);
+      if (simple.rms_distance > std::max(allowed, kSameFit * tolerance_.eps)) continue;
+      const bool turns_alike = simple.max_angle_rad < 1.2 * q.max_angle_rad + kMinNormalAngle;
+      if (!turns_alike && !normals_agree(s, facets, false)) continue;
+      if (!has_fine_facets(s, facets)) continue;
+      surface = s;
+      return;
+    }
   }
 
   /// Counts normals that differ, up to 9.

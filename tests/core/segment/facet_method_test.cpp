@@ -27,8 +27,8 @@ std::vector<FaceGroup> groups_of_kind(const Segmentation& s, SurfaceKind kind) {
   return found;
 }
 
-Mesh jittered(const Mesh& mesh, double amount) {
-  Rng rng(11);
+Mesh jittered(const Mesh& mesh, double amount, int seed = 11) {
+  Rng rng(static_cast<std::uint64_t>(seed));
   std::vector<Vec3> vertices = mesh.vertices;
   for (Vec3& p : vertices) {
     for (double& c : p) c += rng.uniform(-amount, amount);
@@ -185,6 +185,29 @@ TEST_CASE("single wide facets do not keep a cylinder from being one") {
   const auto cylinders = groups_of_kind(s, SurfaceKind::Cylinder);
   REQUIRE(cylinders.size() == 1);
   CHECK(cylinders[0].surface.radius == doctest::Approx(1).epsilon(1e-6));
+}
+
+TEST_CASE("a short arc of a cylinder with inexact corners is no cone or torus") {
+  Rng rng(5);
+  int cylinders = 0;
+  int others = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    std::vector<Vec2> outline;
+    for (int i = 0; i <= 7; ++i) {
+      const double angle = 0.2 * (i + 0.25 * rng.uniform(-1, 1));
+      outline.push_back(Vec2(std::cos(angle), std::sin(angle)));
+    }
+    for (const Vec2& p : {Vec2(-2, 1.2), Vec2(-2, -1.4), Vec2(1, -1.4)}) outline.push_back(p);
+    const Segmentation s = segmented(jittered(wall(outline, 0.4 + 0.05 * trial), 1e-3, trial));
+    cylinders += static_cast<int>(groups_of_kind(s, SurfaceKind::Cylinder).size());
+    others += static_cast<int>(groups_of_kind(s, SurfaceKind::Cone).size() +
+                               groups_of_kind(s, SurfaceKind::Torus).size());
+  }
+  CHECK(cylinders >= 30);
+  CHECK(others == 0);
+
+  const Segmentation cone = segmented(jittered(solids::cone(1, 0.85, 1, 40), 5e-4));
+  CHECK(groups_of_kind(cone, SurfaceKind::Cone).size() == 1);
 }
 
 TEST_CASE("a misplaced vertex leaves crooked triangles, not planes of the design") {
