@@ -10,6 +10,7 @@
 #include "core/sample/cells.h"
 #include "core/sample/separate.h"
 #include "core/synth/decompose/construct.h"
+#include "core/synth/decompose/gather.h"
 #include "core/synth/decompose/grow.h"
 #include "core/synth/decompose/lower.h"
 #include "core/synth/decompose/neighbourhood.h"
@@ -278,6 +279,7 @@ class TreeSearch {
     answer_.rounds = round + 1;
     // What the cells do not show, the fresh points may.
     relax_list(space_of(current_), surfaces_, current_.list);
+    gather_runs(space_of(current_), current_.list);
     const ListSolid solid(current_.list, surfaces_.halfspaces, space_.frame, current_.is_clipped());
     const Tree tree = lowered(current_.list, current_.is_clipped());
     const SolidTest contains = [&solid](const Vec3& p) { return solid.contains(p); };

@@ -1,4 +1,5 @@
 #include "core/synth/decompose/decision_list.h"
+#include "core/synth/decompose/gather.h"
 #include "core/synth/decompose/neighbourhood.h"
 #include "core/synth/decompose/relax.h"
 #include "tests/core/synth/search_fixture.h"
@@ -75,6 +76,34 @@ TEST_CASE("relaxing keeps a list right and its terms no smaller") {
       CHECK((before.items[k]->cover[i] & ~list.items[k]->cover[i]) == 0);
     }
   }
+}
+
+TEST_CASE("gathering brings items of one kind together") {
+  ListFixture f(solids::plate_with_hole({10, 8, 2}, 2, 24));
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    DecisionList list = f.construct(seed);
+    const int changes = count_changes(list);
+    const std::size_t own = list.items.size();
+    // Repeated below everything else, items decide nothing more but change kind again and again.
+    for (std::size_t i = 0; i < own; ++i) list.items.push_back(list.items[i]);
+    for (std::size_t i = 0; i < own; ++i) list.items.push_back(list.items[i]);
+    REQUIRE(is_right(f.space, list.items, list.base));
+    const int cost = list.cost();
+    gather_runs(f.space, list);
+    CHECK(is_right(f.space, list.items, list.base));
+    CHECK(list.cost() == cost);
+    CHECK(count_changes(list) <= changes);
+  }
+}
+
+TEST_CASE("an order that matters stays") {
+  ListFixture f(solids::plate_with_hole({10, 8, 2}, 2, 24));
+  DecisionList list = f.construct(1);
+  const std::vector<TermPtr> before = list.items;
+  const int changes = count_changes(list);
+  gather_runs(f.space, list);
+  CHECK(count_changes(list) == changes);
+  CHECK(list.items.size() == before.size());
 }
 
 }  // namespace
