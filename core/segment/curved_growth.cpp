@@ -154,8 +154,11 @@ class CurvedGrower {
     const std::span<const int> sizes = tolerance_.is_resampled
                                            ? std::span<const int>(kResampledPatchSizes)
                                            : std::span<const int>(kPatchSizes);
-    const std::vector<int> smoothest = smoothest_neighborhood(seed, sizes.front());
-    if (smoothest.size() >= 4 && try_patch(smoothest, best)) return;
+    // The triangles of a resampled mesh turn anyhow.
+    if (!tolerance_.is_resampled) {
+      const std::vector<int> smoothest = smoothest_neighborhood(seed, sizes.front());
+      if (smoothest.size() >= 4 && try_patch(smoothest, best)) return;
+    }
     for (const int size : sizes) {
       const std::vector<int> patch = neighborhood(seed, size);
       if (patch.size() < 4) return;
