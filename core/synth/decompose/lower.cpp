@@ -64,12 +64,15 @@ class Lowering {
     if (list.base) tree_.root = add(frame_box());
     for (std::size_t k = list.items.size(); k > 0;) {
       const bool fills = list.items[k - 1]->fills;
+      std::vector<int> terms;
+      for (; k > 0 && list.items[k - 1]->fills == fills; --k) {
+        if (fills || tree_.root >= 0) terms.push_back(term(*list.items[k - 1]));
+      }
+      if (terms.empty()) continue;  // nothing to subtract from
+      sort_by_bulk(terms);
       std::vector<int> children;
       if (tree_.root >= 0) children.push_back(tree_.root);
-      for (; k > 0 && list.items[k - 1]->fills == fills; --k) {
-        if (fills || !children.empty()) children.push_back(term(*list.items[k - 1]));
-      }
-      if (children.empty()) continue;  // nothing to subtract from
+      children.insert(children.end(), terms.begin(), terms.end());
       tree_.root = children.size() == 1
                        ? children[0]
                        : tree_.add_node(fills ? Op::Union : Op::Difference, std::move(children));
@@ -81,6 +84,19 @@ class Lowering {
   }
 
  private:
+  /// The order of operands of one kind is free: a reader looks for the large ones first.
+  void sort_by_bulk(std::vector<int>& nodes) const {
+    std::stable_sort(nodes.begin(), nodes.end(),
+                     [this](int a, int b) { return bulk(a) > bulk(b); });
+  }
+
+  /// The volume of a node's first literal but for constant factors.
+  double bulk(int node) const {
+    const Node& n = tree_.nodes[node];
+    if (n.op != Op::Literal) return bulk(n.children.front());
+    return local_bounds(tree_.literals[n.literal]).size().prod();
+  }
+
   int add(Literal literal) { return tree_.add_literal(std::move(literal)); }
 
   Literal frame_box() const {
