@@ -5,6 +5,7 @@
 #define GLFW_INCLUDE_NONE
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <optional>
@@ -170,9 +171,14 @@ class Window {
 
   void touch() { frames_due_ = kFramesPerEvent; }
 
-  /// From the worker. Posts at most one event until the window has seen it.
+  /// From the worker, often. Wakes the window ten times a second at most: the job needs the
+  /// processor more than its progress bar does.
   void wake() {
-    if (!has_news_.exchange(true)) glfwPostEmptyEvent();
+    const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
+    constexpr auto kApart = std::chrono::steady_clock::duration(std::chrono::milliseconds(100));
+    auto last = last_wake_.load();
+    if (now - last < kApart.count() || !last_wake_.compare_exchange_strong(last, now)) return;
+    glfwPostEmptyEvent();
   }
 
   void offer_recovery() {
@@ -190,9 +196,8 @@ class Window {
     } else {
       glfwWaitEventsTimeout(session_.is_busy() ? kWaitBusy_s : kWaitIdle_s);
     }
-    if (has_news_.exchange(false)) touch();
-    if (session_.is_busy() && frames_due_ == 0) frames_due_ = 1;  // the clock of the job
     if (session_.poll()) touch();
+    if (session_.is_busy() && frames_due_ == 0) frames_due_ = 1;  // the job's bar and clock
     keep_records();
     if (frames_due_ <= 0) return;
     --frames_due_;
@@ -266,7 +271,7 @@ class Window {
 
   GLFWwindow* window_;
   WindowOptions options_;
-  std::atomic<bool> has_news_{false};
+  std::atomic<std::chrono::steady_clock::rep> last_wake_{0};
   Session session_;
   Studio studio_;
   Autosave autosave_;

@@ -8,10 +8,25 @@ rm -rf "$folder"
 mkdir -p "$folder"
 cp "$mesh" "$folder/part.off"
 
+# Without a display, or with too old an OpenGL, the program says so and ends with 1.
+refuses() {
+  local what=$1 code=0
+  shift
+  "$@" >"$folder/refusal.txt" 2>&1 || code=$?
+  if [ "$code" != 1 ] || ! grep -q "$what" "$folder/refusal.txt"; then
+    echo "FAILED: expected exit code 1 and '$what', got $code:" >&2
+    cat "$folder/refusal.txt" >&2
+    exit 1
+  fi
+}
+
 if [ -z "${HEWN_UI_INSIDE:-}" ]; then
+  refuses "no display" env -u DISPLAY -u WAYLAND_DISPLAY "$studio"
   export HEWN_UI_INSIDE=1
   exec xvfb-run -a -s "-screen 0 1280x800x24" "$0" "$@"
 fi
+
+refuses "OpenGL 4.3 is needed" env MESA_GL_VERSION_OVERRIDE=3.3 "$studio"
 
 cd "$folder"
 fail() {

@@ -183,8 +183,12 @@ void GlEngine::draw_item(const Scene& scene, const SceneItem& item) const {
   if (item.opacity < 1) {
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
+    // A glassy mesh lies on the solid that it is compared with: it must win everywhere or nowhere.
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(-2, -2);
   }
   draw_faces(scene, item);
+  glDisable(GL_POLYGON_OFFSET_FILL);
   glDepthMask(GL_TRUE);
   glEnable(GL_BLEND);
   if (item.has_lines) draw_lines(scene, item);

@@ -135,11 +135,10 @@ void draw_section_slider(Ui& ui, const PanelArea& view) {
   ImGui::SameLine();
   ImGui::SetNextItemWidth(ui.px(180));
   auto share = static_cast<float>(ui.state.section_share);
-  const std::string label = short_number(plane.offset);
-  if (ImGui::SliderFloat("##share", &share, 0, 1, label.c_str())) {
-    ui.state.section_share = share;
-  }
+  if (ImGui::SliderFloat("##share", &share, 0, 1, "")) ui.state.section_share = share;
   ImGui::SameLine();
+  ImGui::TextUnformatted(short_number(plane.offset).c_str());
+  ImGui::SameLine(ui.px(292));
   if (ImGui::Button("off")) ui.state.section_axis = -1;
   end_card();
 }
@@ -171,11 +170,10 @@ void draw_deviation_legend(Ui& ui, const PanelArea& view) {
   ImGui::SetNextItemWidth(width);
   auto exponent = static_cast<float>(std::log10(ui.state.tolerance_share));
   const double diagonal = ui.session.document().prepared->mesh->diagonal();
-  const std::string label =
-      "tolerance " + short_number(ui.state.tolerance_share * diagonal) + " (grey)";
-  if (ImGui::SliderFloat("##tolerance", &exponent, -6, -2, label.c_str())) {
+  if (ImGui::SliderFloat("##tolerance", &exponent, -6, -2, "")) {
     ui.state.tolerance_share = std::pow(10.0, exponent);
   }
+  faint_text(ui, "grey: within " + short_number(ui.state.tolerance_share * diagonal));
   ImGui::PopFont();
   end_card();
 }

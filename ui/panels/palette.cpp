@@ -89,16 +89,16 @@ void draw_keys(Ui& ui, const PanelArea& window) {
         {"File", "Edit"}, {"Select", "Help"}, {"View"}};
     for (const auto& menus : columns) {
       ImGui::TableNextColumn();
+      ImGui::Dummy({ui.px(260), 0});
       for (const char* menu : menus) {
         heading(ui, menu);
         for (const Action& action : *ui.actions) {
           if (std::strcmp(action.menu, menu) != 0 || action.key == 0) continue;
           const float x = ImGui::GetCursorPosX();
           faint_text(ui, shortcut_text(action));
-          ImGui::SameLine(x + ui.px(96));
+          ImGui::SameLine();
+          ImGui::SetCursorPosX(x + ui.px(96));
           ImGui::TextUnformatted(action.title);
-          ImGui::SameLine(x + ui.px(290));
-          ImGui::NewLine();
         }
       }
     }

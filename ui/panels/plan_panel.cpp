@@ -54,6 +54,11 @@ void draw_row_menu(Ui& ui, const PartitionView& view) {
     ImGui::Separator();
     draw_op_choice(ui, view);
     ImGui::Separator();
+    const PartitionPath parent(view.path.begin(), view.path.end() - 1);
+    if (ImGui::MenuItem("Move up", nullptr, false, view.path.back() > 0)) {
+      static_cast<void>(ui.session.execute(MovePartition{view.path, parent, view.path.back() - 1}));
+      ui.state.active_partition.clear();
+    }
     if (ImGui::MenuItem("Remove", "Del")) {
       static_cast<void>(ui.session.execute(RemovePartition{view.path}));
       ui.state.active_partition.clear();
@@ -269,6 +274,7 @@ void draw_groups(Ui& ui) {
 void draw_plan_panel(Ui& ui, const PanelArea& area) {
   begin_panel("plan", area, ui.theme.panel);
   ui.state.hovered_groups.clear();
+  if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) ui.state.hovered_literal = -1;
   draw_partitions(ui);
   draw_cuts(ui);
   draw_groups(ui);

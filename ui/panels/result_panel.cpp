@@ -233,6 +233,7 @@ void draw_empty(Ui& ui) {
 
 void draw_result_panel(Ui& ui, const PanelArea& area) {
   begin_panel("result", area, ui.theme.panel);
+  if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) ui.state.hovered_literal = -1;
   heading(ui, "Result");
   const auto result = ui.session.shown_result();
   const bool is_current = result && result == ui.session.current_result();

@@ -70,6 +70,8 @@ void add_items(const Ui& ui, Scene& scene) {
     return;
   }
   if (show == ShowMode::Input || !has_surface) {
+    // What a literal in the tree explains of the mesh.
+    if (view && ui.state.hovered_literal >= 0) input.slot = MeshSlot::Measured;
     scene.items.push_back(input);
     return;
   }

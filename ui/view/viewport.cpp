@@ -195,6 +195,8 @@ void Viewport::hover(Ui& ui, const ViewArea& area, bool is_hovered) {
   if (drag_ != Drag::None) return;
   int label = -1;
   const ImGuiIO& io = ImGui::GetIO();
+  // A literal that a list points at recolours the mesh; over the part itself the groups count.
+  if (is_hovered) ui.state.hovered_literal = -1;
   const Scene scene = build_scene(ui, area);
   if (is_hovered && ui.session.document().is_ready()) {
     label = ids(ui, area).at(static_cast<int>(io.MousePos.x - area.x),
@@ -202,11 +204,7 @@ void Viewport::hover(Ui& ui, const ViewArea& area, bool is_hovered) {
   }
   const bool groups = picks_groups(scene);
   ui.state.hovered = groups ? label : -1;
-  if (!groups) {
-    ui.state.hovered_literal = label;
-  } else if (is_hovered) {
-    ui.state.hovered_literal = -1;
-  }
+  if (!groups && is_hovered) ui.state.hovered_literal = label;
 }
 
 void Viewport::click(Ui& ui) {
