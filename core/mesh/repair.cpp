@@ -110,7 +110,8 @@ Result<LoadedMesh> repair_mesh(std::vector<Vec3> vertices, std::vector<Triangle>
   loaded.report.self_intersections = *crossings;
   if (*crossings > 0) {
     loaded.report.warnings.push_back(
-        fmt::format("{}{} pairs of triangles cross each other.",
+        fmt::format("{}{} pairs of triangles cross each other: what any of the solids holds is "
+                    "taken as inside.",
                     *crossings >= kSelfIntersectionLimit ? "At least " : "", *crossings));
   }
   run.report("repairing", 1);

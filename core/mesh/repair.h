@@ -13,6 +13,9 @@ struct Soup {
   double diagonal = 0;
 };
 
+/// Drops vertices that no triangle uses; the others keep their order.
+void drop_unused_vertices(Soup& soup);
+
 /// Joins vertices closer than `tolerance` (the one with the lowest index stays) and drops unused
 /// ones; returns how many coinciding ones went. Cost: O(n).
 int weld_vertices(Soup& soup, double tolerance);
@@ -23,7 +26,8 @@ int weld_vertices(Soup& soup, double tolerance);
 int remove_zero_area(Soup& soup, double tolerance);
 
 /// Removes copies of the same triangle; two that face each other (a sheet of no thickness inside
-/// the solid) both go. Returns the number removed.
+/// the solid) both go. Of a part that is there twice as a whole, in the same or the opposite
+/// orientation, one copy stays. Returns the number removed.
 int remove_duplicates(Soup& soup);
 
 /// Turns triangles to agree with their neighbours, closed components outward, and closed

@@ -77,24 +77,6 @@ class WeldGrid {
   std::vector<int> next_;
 };
 
-/// Drops vertices that no triangle uses.
-void compact(Soup& soup) {
-  std::vector<int> renamed(soup.vertices.size(), -1);
-  for (const Triangle& t : soup.triangles) {
-    for (const int i : t) renamed[i] = 0;
-  }
-  int used = 0;
-  for (std::size_t i = 0; i < renamed.size(); ++i) {
-    if (renamed[i] < 0) continue;
-    soup.vertices[used] = soup.vertices[i];
-    renamed[i] = used++;
-  }
-  soup.vertices.resize(used);
-  for (Triangle& t : soup.triangles) {
-    for (int& i : t) i = renamed[i];
-  }
-}
-
 bool has_repeated_corner(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
 /// The corner across the longest side when the triangle is lower than the tolerance; else -1.
@@ -223,6 +205,23 @@ int drop_loose_flat(Soup& soup, double tolerance) {
 
 }  // namespace
 
+void drop_unused_vertices(Soup& soup) {
+  std::vector<int> renamed(soup.vertices.size(), -1);
+  for (const Triangle& t : soup.triangles) {
+    for (const int i : t) renamed[i] = 0;
+  }
+  int used = 0;
+  for (std::size_t i = 0; i < renamed.size(); ++i) {
+    if (renamed[i] < 0) continue;
+    soup.vertices[used] = soup.vertices[i];
+    renamed[i] = used++;
+  }
+  soup.vertices.resize(used);
+  for (Triangle& t : soup.triangles) {
+    for (int& i : t) i = renamed[i];
+  }
+}
+
 int weld_vertices(Soup& soup, double tolerance) {
   Box3 box;
   for (const Vec3& p : soup.vertices) box.extend(p);
@@ -238,7 +237,7 @@ int weld_vertices(Soup& soup, double tolerance) {
   for (Triangle& t : soup.triangles) {
     for (int& i : t) i = kept[i];
   }
-  compact(soup);
+  drop_unused_vertices(soup);
   return welded;
 }
 
@@ -250,51 +249,7 @@ int remove_zero_area(Soup& soup, double tolerance) {
     if (split_round(soup, tolerance, removed) == 0) break;
   }
   removed += drop_loose_flat(soup, tolerance * 1e-3);
-  compact(soup);
-  return removed;
-}
-
-int remove_duplicates(Soup& soup) {
-  struct Key {
-    Triangle corners;
-    int triangle;
-    auto operator<=>(const Key&) const = default;
-  };
-  std::vector<Key> keys;
-  keys.reserve(soup.triangles.size());
-  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-    Triangle corners = soup.triangles[t];
-    std::sort(corners.begin(), corners.end());
-    keys.push_back({corners, static_cast<int>(t)});
-  }
-  std::sort(keys.begin(), keys.end());
-  std::vector<EdgeSide> sides;  // made only when there is a duplicate
-  int removed = 0;
-  for (std::size_t begin = 0, end = 0; begin < keys.size(); begin = end) {
-    for (end = begin + 1; end < keys.size() && keys[end].corners == keys[begin].corners;) ++end;
-    const int copies = static_cast<int>(end - begin);
-    if (copies == 1) continue;
-    if (sides.empty()) sides = sorted_sides(soup.triangles);
-    // One copy stays where its edges need it to be closed; a sheet within the solid goes whole.
-    int odd_edges = 0;
-    for (int k = 0; k < 3; ++k) {
-      EdgeSide probe;
-      const Triangle& c = keys[begin].corners;
-      probe.key = static_cast<std::uint64_t>(std::min(c[k], c[(k + 1) % 3])) << 32 |
-                  static_cast<std::uint64_t>(std::max(c[k], c[(k + 1) % 3]));
-      auto it = std::lower_bound(sides.begin(), sides.end(), probe);
-      int uses = 0;
-      for (; it != sides.end() && it->key == probe.key; ++it) ++uses;
-      odd_edges += (uses - copies) % 2 != 0 ? 1 : 0;
-    }
-    const bool keeps_one = odd_edges >= 2 || copies % 2 != 0;
-    for (std::size_t i = begin + (keeps_one ? 1 : 0); i < end; ++i) {
-      soup.triangles[keys[i].triangle] = kGone;
-      ++removed;
-    }
-  }
-  std::erase(soup.triangles, kGone);
-  compact(soup);
+  drop_unused_vertices(soup);
   return removed;
 }
 

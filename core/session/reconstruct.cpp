@@ -159,6 +159,7 @@ class Reconstructor {
       score = score_tree(*out_.prepared.query, out_.tree, project_.settings.verify, run_);
       if (!score) return score.error();
     }
+    if (auto useful = check_likeness(*score); !useful) return useful.error();
     out_.score = *score;
     out_.times.push_back({"verify", watch.lap()});
     return std::move(out_);
@@ -174,6 +175,24 @@ class Reconstructor {
     out_.partitions[0].answer.tree = out_.tree;
     out_.partitions[0].is_polyhedron = true;
     return true;
+  }
+
+  /// What is left unlike the mesh is said; a tree of nothing is no answer.
+  Result<void> check_likeness(const TreeScore& score) {
+    if (score.iou >= kLeastIou) return {};
+    const MeshReport& mesh = out_.mesh_report;
+    const std::string advice = mesh.is_closed
+                                   ? "see whether the partitions cover all groups"
+                                   : fmt::format("close the mesh's {} holes ({} boundary edges)",
+                                                 mesh.holes, mesh.boundary_edges);
+    if (out_.tree.is_empty()) {
+      return Error{ErrorCode::NotFound,
+                   "the tree found is empty: nothing is surely inside; " + advice};
+    }
+    run_.warn(
+        fmt::format("the tree shares only {:.0f} % of its volume with what the mesh encloses; {}",
+                    100 * score.iou, advice));
+    return {};
   }
 
   /// A mesh in more pieces than any design has is free-form: it gets no halfspaces, and the search

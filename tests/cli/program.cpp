@@ -95,15 +95,41 @@ std::string content_of(const std::string& path) {
   return text.str();
 }
 
-std::string cube_off(double size) {
-  std::string text = "OFF\n8 12 0\n";
-  for (int v = 0; v < 8; ++v) {
-    text += fmt::format("{} {} {}\n", v & 1 ? size : 0, v & 2 ? size : 0, v & 4 ? size : 0);
+TextMesh TextMesh::operator+(const TextMesh& other) const {
+  TextMesh joined = *this;
+  const int first = static_cast<int>(vertices.size());
+  joined.vertices.insert(joined.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const auto& [a, b, c] : other.triangles) {
+    joined.triangles.push_back({first + a, first + b, first + c});
   }
-  text +=
-      "3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4\n"
-      "3 2 6 7\n3 2 7 3\n3 0 4 6\n3 0 6 2\n3 1 3 7\n3 1 7 5\n";
+  return joined;
+}
+
+TextMesh TextMesh::flipped() const {
+  TextMesh turned = *this;
+  for (auto& t : turned.triangles) std::swap(t[1], t[2]);
+  return turned;
+}
+
+std::string TextMesh::off() const {
+  std::string text = fmt::format("OFF\n{} {} 0\n", vertices.size(), triangles.size());
+  for (const auto& [x, y, z] : vertices) text += fmt::format("{} {} {}\n", x, y, z);
+  for (const auto& [a, b, c] : triangles) text += fmt::format("3 {} {} {}\n", a, b, c);
   return text;
 }
+
+TextMesh cube_mesh(double size, const std::array<double, 3>& corner) {
+  TextMesh mesh;
+  for (int v = 0; v < 8; ++v) {
+    mesh.vertices.push_back({corner[0] + ((v & 1) != 0 ? size : 0),
+                             corner[1] + ((v & 2) != 0 ? size : 0),
+                             corner[2] + ((v & 4) != 0 ? size : 0)});
+  }
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
+std::string cube_off(double size) { return cube_mesh(size).off(); }
 
 }  // namespace hewn::cli

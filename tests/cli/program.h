@@ -1,5 +1,6 @@
 #pragma once
 /// Runs the real binary, as a user would.
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -38,6 +39,21 @@ class Folder {
 
 /// The content of a file; empty when it is not there.
 std::string content_of(const std::string& path);
+
+/// A mesh to be written as text.
+struct TextMesh {
+  std::vector<std::array<double, 3>> vertices;
+  std::vector<std::array<int, 3>> triangles;
+
+  /// The corners of `other` in their places, its triangles after this mesh's.
+  TextMesh operator+(const TextMesh& other) const;
+  /// Turned inside out.
+  TextMesh flipped() const;
+  std::string off() const;
+};
+
+/// The cube [corner, corner + size].
+TextMesh cube_mesh(double size = 10, const std::array<double, 3>& corner = {0, 0, 0});
 
 /// A cube as OFF text; `size` scales it.
 std::string cube_off(double size = 10);

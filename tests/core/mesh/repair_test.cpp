@@ -93,6 +93,20 @@ TEST_CASE("a triangle given twice is kept once") {
   CHECK(loaded.report.is_closed);
 }
 
+TEST_CASE("of a surface that is there twice as a whole one copy stays") {
+  const Mesh box = solids::box({0, 0, 0}, {1, 1, 1});
+  const Mesh apart = solids::box({5, 0, 0}, {6, 1, 1});
+  Mesh turned = box;
+  for (int t = 0; t < 12; ++t) turn(turned, t);
+  for (const Mesh& copy : {box, turned}) {
+    const LoadedMesh loaded = repaired(solids::together(solids::together(box, apart), copy));
+    CHECK(loaded.report.duplicates_removed == 12);
+    CHECK(loaded.report.is_closed);
+    CHECK(loaded.mesh.triangles.size() == 24);
+    CHECK(loaded.mesh.volume == doctest::Approx(2));
+  }
+}
+
 TEST_CASE("the wall between two boxes that touch is removed") {
   const Mesh left = solids::box({0, 0, 0}, {1, 1, 1});
   Mesh right = left;  // mirrored, so that the walls have the same triangles
