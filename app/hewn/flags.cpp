@@ -29,7 +29,7 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
   app.add_option("--time-limit", flags.time_limit_s,
                  "seconds after which searches return what they have; results then depend on the "
                  "machine's speed")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(0.001, 1e6));
   app.add_flag("-q,--quiet", flags.is_quiet, "no progress and no warnings");
 }
 

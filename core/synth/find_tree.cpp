@@ -114,8 +114,9 @@ class TreeSearch {
     cells_ = find_cells(table_);
     separate();
     for (int round = 0; round <= options_.rounds; ++round) {
-      if (!search_round(round)) break;
+      const bool has_list = search_round(round);
       if (run_.is_cancelled()) return RunContext::cancelled();
+      if (!has_list) break;
       if (!check_round(round)) break;
     }
     if (!best_) {
@@ -207,6 +208,8 @@ class TreeSearch {
     std::vector<std::optional<Solution>> found(starts);
     std::vector<long> grown(starts, 0);
     for_each_index(run_.threads, starts, [&](std::size_t i) {
+      // Past a time limit one construction has to do; the first two differ in what they are asked.
+      if (i > 1 && run_.should_stop()) return;
       const bool clip = (i & 1) != 0 && !problem_.is_subtracted;
       const SearchSpace& space = spaces_[clip ? 1 : 0];
       Rng rng(run_.seed, stream(round, static_cast<int>(i)));
@@ -215,7 +218,7 @@ class TreeSearch {
       o.beam_width = std::max(2, static_cast<int>(options_.beam_width * std::sqrt(effort())));
       o.seeds = std::max(8, static_cast<int>(o.seeds * std::sqrt(effort())));
       o.noise = i < 2 ? 0.15 : 0.4;
-      std::optional<DecisionList> list = construct_list(space, o, grower, rng);
+      std::optional<DecisionList> list = construct_list(space, o, grower, rng, run_);
       if (list) {
         improve_list(space, walk_options(*list, kFirstShare), *list, grower, rng, run_);
         found[i] = Solution{std::move(*list), clip};
@@ -265,7 +268,7 @@ class TreeSearch {
     for (TermPtr& item : current_.list.items) item = with_cover(*columns_, *item);
     Rng rng(run_.seed, stream(round, 200));
     TermGrower grower(*columns_, *combinability_);
-    if (!repair_list(space_of(current_), current_.list, grower, rng)) return false;
+    if (!repair_list(space_of(current_), current_.list, grower, rng, run_)) return false;
     answer_.terms_grown += grower.terms_grown();
     std::vector<Solution> walks(2, current_);
     refine(round, 500, 2, walks);
@@ -292,7 +295,7 @@ class TreeSearch {
       best_ = current_;
       best_error_ = error;
     }
-    if (round == options_.rounds) return false;
+    if (round == options_.rounds || run_.should_stop()) return false;
     if (static_cast<int>(v.counterexamples.size()) < kFewCounterexamples) return false;
     append_points(table_, surfaces_.halfspaces, v.counterexamples, run_);
     densify(v.counterexamples, round);

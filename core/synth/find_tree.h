@@ -28,7 +28,7 @@ struct TreeProblem {
 /// Budgets count steps, never time, so that results do not depend on the machine's speed.
 struct TreeSearchOptions {
   int volume_points = 20000;  ///< uniform samples of the first round
-  int starts = 6;             ///< independent constructions that are compared
+  int starts = 6;             ///< independent constructions; the best are refined further
   int beam_width = 6;
   int neighbourhood_steps = 2500;  ///< stop after this many without improvement
   int regrow_tries = 10;           ///< terms tried for each gap of a window

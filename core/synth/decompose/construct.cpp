@@ -40,14 +40,23 @@ Word pairs_touched(const ColumnTable& columns, const Term& term, std::size_t gro
 
 class Beam {
  public:
-  Beam(const SearchSpace& space, const ConstructOptions& options, TermGrower& grower, Rng& rng)
-      : space_(space), columns_(*space.columns), options_(options), grower_(grower), rng_(rng) {}
+  Beam(const SearchSpace& space, const ConstructOptions& options, TermGrower& grower, Rng& rng,
+       const RunContext& run)
+      : space_(space),
+        columns_(*space.columns),
+        options_(options),
+        grower_(grower),
+        rng_(rng),
+        run_(run) {}
 
   std::optional<DecisionList> run() {
     std::vector<State> states{first_state()};
     for (int depth = 0; depth < kMaxDepth && !states.empty(); ++depth) {
       std::vector<State> next;
-      for (const State& state : states) expand(state, next);
+      for (const State& state : states) {
+        if (run_.is_cancelled()) return std::nullopt;
+        expand(state, next);
+      }
       std::stable_sort(next.begin(), next.end(),
                        [](const State& a, const State& b) { return a.estimate < b.estimate; });
       if (next.size() > static_cast<std::size_t>(options_.beam_width)) {
@@ -111,7 +120,7 @@ class Beam {
     std::unordered_set<std::uint64_t> seen;
     const int open_cells = static_cast<int>(cells[0].size() + cells[1].size());
     std::vector<Word> effect(space_.words());
-    for (int k = 0; k < 2 * options_.seeds; ++k) {
+    for (int k = 0; k < 2 * options_.seeds && !run_.is_cancelled(); ++k) {
       GrowRequest request;
       request.open = &state.open;
       request.fills = (k & 1) != 0;
@@ -162,6 +171,7 @@ class Beam {
   const ConstructOptions& options_;
   TermGrower& grower_;
   Rng& rng_;
+  const RunContext& run_;
   std::optional<DecisionList> best_;
   std::unordered_map<std::uint64_t, int> cheapest_;  // looked up only, never iterated
 };
@@ -170,8 +180,8 @@ class Beam {
 
 std::optional<DecisionList> construct_list(const SearchSpace& space,
                                            const ConstructOptions& options, TermGrower& grower,
-                                           Rng& rng) {
-  std::optional<DecisionList> list = Beam(space, options, grower, rng).run();
+                                           Rng& rng, const RunContext& run) {
+  std::optional<DecisionList> list = Beam(space, options, grower, rng, run).run();
   if (list) drop_redundant_items(space, list->items, list->base);
   return list;
 }

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/base/rng.h"
+#include "core/base/run_context.h"
 #include "core/synth/decompose/decision_list.h"
 
 namespace hewn {
@@ -15,10 +16,10 @@ struct ConstructOptions {
   double noise = 0.15;  ///< of the gains, for variety among starts
 };
 
-/// A right list; nullopt when the beam dies out (contradictory cells).
+/// A right list; nullopt when the beam dies out (contradictory cells) or the run is cancelled.
 /// Cost: O(items x width x seeds) grown terms.
 std::optional<DecisionList> construct_list(const SearchSpace& space,
                                            const ConstructOptions& options, TermGrower& grower,
-                                           Rng& rng);
+                                           Rng& rng, const RunContext& run);
 
 }  // namespace hewn

@@ -191,7 +191,8 @@ int improve_list(const SearchSpace& space, const NeighbourhoodOptions& options, 
   return step;
 }
 
-bool repair_list(const SearchSpace& space, DecisionList& list, TermGrower& grower, Rng& rng) {
+bool repair_list(const SearchSpace& space, DecisionList& list, TermGrower& grower, Rng& rng,
+                 const RunContext& run) {
   for (int round = 0; round < kMaxRepairs; ++round) {
     const std::vector<Word> wrong = wrong_cells(space, list.items, list.base);
     std::vector<std::size_t> cells;
@@ -199,6 +200,7 @@ bool repair_list(const SearchSpace& space, DecisionList& list, TermGrower& growe
     if (cells.empty()) return true;
     double best_score = 0;
     std::optional<Term> best;
+    if (run.is_cancelled()) return false;
     for (int k = 0; k < kRepairTries; ++k) {
       GrowRequest request;
       request.open = &space.care;

@@ -20,7 +20,8 @@ int improve_list(const SearchSpace& space, const NeighbourhoodOptions& options, 
                  TermGrower& grower, Rng& rng, const RunContext& run);
 
 /// Mends a list that has become wrong (new cells) by putting terms in front.
-/// False when a wrong cell cannot be covered.
-bool repair_list(const SearchSpace& space, DecisionList& list, TermGrower& grower, Rng& rng);
+/// False when a wrong cell cannot be covered, and when the run is cancelled.
+bool repair_list(const SearchSpace& space, DecisionList& list, TermGrower& grower, Rng& rng,
+                 const RunContext& run);
 
 }  // namespace hewn

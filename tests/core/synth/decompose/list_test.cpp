@@ -16,7 +16,7 @@ struct ListFixture : SearchFixture {
     ConstructOptions options;
     options.beam_width = 2;
     options.seeds = 8;
-    auto list = construct_list(space, options, grower, rng);
+    auto list = construct_list(space, options, grower, rng, {});
     REQUIRE(list);
     return *list;
   }
@@ -44,7 +44,7 @@ TEST_CASE("a list that lacks an item has wrong cells, and repair mends them") {
   CHECK(wrong != 0);
   TermGrower grower(f.columns, f.combinability);
   Rng rng(3);
-  REQUIRE(repair_list(f.space, list, grower, rng));
+  REQUIRE(repair_list(f.space, list, grower, rng, {}));
   CHECK(is_right(f.space, list.items, list.base));
 }
 

@@ -13,7 +13,7 @@ double tree_agrees(SearchFixture& f, std::uint64_t seed) {
   ConstructOptions options;
   options.beam_width = 2;
   options.seeds = 8;
-  const auto list = construct_list(f.space, options, grower, rng);
+  const auto list = construct_list(f.space, options, grower, rng, {});
   REQUIRE(list);
   const Tree tree = lower_list(*list, f.part.surfaces, *f.part.mesh, {}, f.part.space.frame, {});
   const ListSolid solid(*list, f.part.surfaces.halfspaces, f.part.space.frame, false);
