@@ -31,6 +31,7 @@ class Console {
   bool has_line_ = false;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point last_{};
+  std::string stage_;  ///< that the line shows
 };
 
 }  // namespace hewn

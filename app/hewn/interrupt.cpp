@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "app/hewn/exit_code.h"
+#include "core/base/temporary_folder.h"
 
 namespace hewn {
 namespace {
@@ -22,8 +23,9 @@ sigset_t watched_signals() {
   return set;
 }
 
-/// Core stages stop within 50 ms; a library call that does not look up is not waited for.
-constexpr timespec kGrace{0, 70'000'000};
+/// Most stages stop sooner; one that does not look up (a library's) is not waited for. Leaves time
+/// to give back a gigabyte within a tenth of a second.
+constexpr timespec kGrace{0, 40'000'000};
 
 }  // namespace
 
@@ -51,6 +53,7 @@ void Interrupt::wait_for_signals() {
   const std::lock_guard lock(publishing_);
   constexpr std::string_view kMessage = "\nhewn: stopped on request\n";
   [[maybe_unused]] const auto ignored = ::write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  TemporaryFolder::remove_all_of_process();
   ::_exit(static_cast<int>(ExitCode::Cancelled));
 }
 

@@ -1,9 +1,11 @@
 /// The command line: parses, wires, runs.
 #include <chrono>
+#include <cstdio>
 #include <exception>
 #include <memory>
 #include <new>
 #include <optional>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -37,8 +39,17 @@ ExitCode run_command(const Command& command, const RunFlags& flags) {
   environment.console = &console;
   environment.interrupt = &interrupt;
   wire(environment);
+  const Error unwritable{ErrorCode::FileWrite,
+                         "cannot write to standard output; is the disk full or its reader gone?"};
   try {
-    return command(environment);
+    const ExitCode code = command(environment);
+    const bool is_written = std::fflush(stdout) == 0;
+    return code == ExitCode::Done && !is_written ? environment.fail(unwritable) : code;
+  } catch (const std::system_error& problem) {
+    if (std::ferror(stdout) != 0) return environment.fail(unwritable);
+    return environment.fail({ErrorCode::Internal, fmt::format("the system refused a service: {}; "
+                                                              "try fewer threads",
+                                                              problem.what())});
   } catch (const std::bad_alloc&) {
     return environment.fail(
         {ErrorCode::Internal, "out of memory; try a smaller mesh or fewer sample points"});

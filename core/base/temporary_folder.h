@@ -11,6 +11,8 @@ class TemporaryFolder {
  public:
   /// Fails with: FileWrite.
   static Result<TemporaryFolder> create();
+  /// For a process that ends without leaving its scopes.
+  static void remove_all_of_process();
   ~TemporaryFolder();
   TemporaryFolder(TemporaryFolder&& other) noexcept;
   TemporaryFolder& operator=(TemporaryFolder&&) = delete;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -177,9 +178,14 @@ class TreeSearch {
 
   bool search_round(int round) {
     rebuild_columns();
-    run_.report("search", 0.2 + 0.7 * round / (options_.rounds + 1));
+    run_.report("search", share_done(round, 0));
     if (round > 0 && repair(round)) return true;
     return construct(round);
+  }
+
+  /// Rounds are seldom all needed, but none is known to be the last.
+  double share_done(int round, double of_round) const {
+    return 0.2 + 0.7 * (round + of_round) / (options_.rounds + 1);
   }
 
   std::uint64_t stream(int round, int task) const {
@@ -207,6 +213,7 @@ class TreeSearch {
     const std::size_t starts = static_cast<std::size_t>(std::max(1, options_.starts));
     std::vector<std::optional<Solution>> found(starts);
     std::vector<long> grown(starts, 0);
+    std::atomic<int> ended{0};
     for_each_index(run_.threads, starts, [&](std::size_t i) {
       // Past a time limit one construction has to do; the first two differ in what they are asked.
       if (i > 1 && run_.should_stop()) return;
@@ -224,6 +231,7 @@ class TreeSearch {
         found[i] = Solution{std::move(*list), clip};
       }
       grown[i] = grower.terms_grown();
+      run_.report("search", share_done(round, 0.8 * ++ended / static_cast<double>(starts)));
     });
     for (const long g : grown) answer_.terms_grown += g;
     std::vector<Solution> solutions;

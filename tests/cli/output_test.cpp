@@ -10,7 +10,7 @@
 namespace hewn::cli {
 namespace {
 
-constexpr int kNoOutput = 5;
+constexpr int kNoInput = 3, kNoOutput = 5;
 
 TEST_CASE("a cube becomes one cube, with a report that says so") {
   const Folder folder;
@@ -89,6 +89,76 @@ TEST_CASE("a full disk is reported and an older report stays") {
   const Outcome outcome = run_hewn({"reconstruct", input, "-o", full});
   CHECK(outcome.exit_code == kNoOutput);
   CHECK_MESSAGE(outcome.says("No space left"), outcome.err);
+}
+
+TEST_CASE("a folder that permissions protect is refused before any work") {
+  const Folder folder;
+  const std::string input = folder.write("cube.off", cube_off());
+  const std::filesystem::path locked = folder / "locked";
+  std::filesystem::create_directory(locked);
+  std::filesystem::permissions(
+      locked, std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  Denied denied;
+  denied.is_privileged = false;
+  const std::string path = (locked / "out.scad").string();
+  const Outcome outcome = run_hewn_with(denied, {"reconstruct", input, "-o", path});
+  CHECK(outcome.exit_code == kNoOutput);
+  CHECK_MESSAGE(outcome.says("read-only; choose one you may write to"), outcome.err);
+  CHECK_MESSAGE(outcome.says(path), outcome.err);
+  CHECK(std::filesystem::is_empty(locked));
+  const std::string report = (locked / "out.json").string();
+  CHECK(run_hewn_with(denied, {"reconstruct", input, "-o", folder / "out.scad", "--report", report})
+            .exit_code == kNoOutput);
+  CHECK(folder.files() == std::vector<std::string>{"cube.off", "locked"});
+}
+
+TEST_CASE("an input that may not be read is refused with its name") {
+  const Folder folder;
+  const std::string input = folder.write("cube.off", cube_off());
+  std::filesystem::permissions(input, std::filesystem::perms::none);
+  Denied denied;
+  denied.is_privileged = false;
+  const Outcome outcome = run_hewn_with(denied, {"info", input});
+  CHECK(outcome.exit_code == kNoInput);
+  CHECK_MESSAGE(outcome.says("Permission denied"), outcome.err);
+  CHECK_MESSAGE(outcome.says(input), outcome.err);
+}
+
+TEST_CASE("a disk that fills up amid a file leaves the older one and no rest") {
+  const Folder folder;
+  const std::string input = folder.write("cube.off", cube_off());
+  Denied denied;
+  denied.file_bytes = 100;
+  for (const std::string name : {"out.scad", "out.json", "out.stl", "out.step"}) {
+    CAPTURE(name);
+    const std::string older = folder.write(name, "older");
+    const auto before = folder.files();
+    const Outcome outcome = run_hewn_with(denied, {"reconstruct", input, "-o", older});
+    CHECK(outcome.exit_code == kNoOutput);
+    CHECK_MESSAGE(outcome.says("cannot write"), outcome.err);
+    CHECK_MESSAGE(outcome.says(older), outcome.err);
+    CHECK(content_of(older) == "older");
+    CHECK(folder.files() == before);
+  }
+  // The tree would fit, the report does not.
+  denied.file_bytes = 1000;
+  const Outcome outcome = run_hewn_with(
+      denied, {"reconstruct", input, "-o", folder / "tree.scad", "--report", folder / "r.json"});
+  CHECK(outcome.exit_code == kNoOutput);
+  CHECK_MESSAGE(outcome.says("r.json"), outcome.err);
+}
+
+TEST_CASE("a full standard output is an error") {
+  const Folder folder;
+  Denied denied;
+  denied.out = "/dev/full";
+  const Outcome info = run_hewn_with(denied, {"info", folder.write("cube.off", cube_off())});
+  CHECK(info.exit_code == kNoOutput);
+  CHECK_MESSAGE(info.says("standard output"), info.err);
+  const Outcome outcome =
+      run_hewn_with(denied, {"reconstruct", folder.write("cube.off", cube_off()), "-o", "-"});
+  CHECK(outcome.exit_code == kNoOutput);
+  CHECK_MESSAGE(outcome.says("standard output"), outcome.err);
 }
 
 TEST_CASE("info prints JSON that says what was read") {

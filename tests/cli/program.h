@@ -11,6 +11,7 @@ struct Outcome {
   int exit_code = -1;  ///< 128 + n when signal n ended it
   std::string out, err;
   double seconds = 0;
+  double peak_mb = 0;  ///< resident memory
 
   bool says(const std::string& text) const { return err.find(text) != std::string::npos; }
 };
@@ -18,6 +19,24 @@ struct Outcome {
 /// Runs `hewn` with these arguments, no terminal and no input; sends SIGINT after
 /// `interrupt_after_s` seconds when that is not negative (`seconds` then counts from there).
 Outcome run_hewn(const std::vector<std::string>& arguments, double interrupt_after_s = -1);
+
+/// What the system denies the program.
+struct Denied {
+  /// Files cannot grow beyond this, as on a disk that fills up; negative: they can.
+  long file_bytes = -1;
+  /// Even root must heed the permissions of files.
+  bool is_privileged = true;
+  std::string out;  ///< where standard output goes; empty: it is captured
+};
+Outcome run_hewn_with(const Denied& denied, const std::vector<std::string>& arguments);
+
+/// Runs `hewn` with its messages on a terminal and sends SIGINT as soon as its progress line names
+/// `stage`; `seconds` counts from there. False in `has_reached` when that never came.
+struct StageInterrupt {
+  Outcome outcome;  ///< `err` is what the terminal showed
+  bool has_reached = false;
+};
+StageInterrupt interrupt_at(const std::string& stage, const std::vector<std::string>& arguments);
 
 /// A folder of its own for one test, removed at the end.
 class Folder {
