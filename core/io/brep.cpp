@@ -16,6 +16,7 @@
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -68,7 +69,9 @@ class BrepBuilder {
     if (!shape) return shape.error();
     ShapeUpgrade_UnifySameDomain unify(*shape);
     unify.Build();
-    out_.shape = unify.Shape();
+    // On spheres that are cut several times the unifier tears faces apart.
+    const TopoDS_Shape unified = unify.Shape();
+    out_.shape = BRepCheck_Analyzer(unified).IsValid() ? unified : *shape;
     return out_;
   }
 

@@ -46,6 +46,20 @@ TEST_CASE("a tree is exported as a design, as the same JSON and as STEP") {
   CHECK(content_of(folder / "out.step").starts_with("ISO-10303-21"));
 }
 
+TEST_CASE("a knob with round dents is exported as a closed mesh that is like its input") {
+  // Merging the faces of its sphere tore it open.
+  const Folder folder;
+  const std::string knob = HEWN_ASSETS "/knob.ply";
+  const std::string mesh = folder / "knob.stl";
+  const Outcome outcome = run_hewn({"reconstruct", knob, "-o", mesh});
+  REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+  const auto info = nlohmann::json::parse(run_hewn({"info", mesh, "--json"}).out);
+  CHECK(info.at("is_closed") == true);
+  const auto input = nlohmann::json::parse(run_hewn({"info", knob, "--json"}).out);
+  CHECK(info.at("volume").get<double>() ==
+        doctest::Approx(input.at("volume").get<double>()).epsilon(0.02));
+}
+
 TEST_CASE("reconstruct writes meshes and STEP like export") {
   const Folder folder;
   const std::string input = folder.write("cube.off", cube_off());
