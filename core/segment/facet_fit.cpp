@@ -128,6 +128,11 @@ double FacetFitter::max_distance(const Surface& surface, int facet) const {
   return d;
 }
 
+double FacetFitter::max_depth(const Surface& surface, int facet) const {
+  return std::max(max_distance(surface, facet),
+                  std::abs(surface.signed_distance(graph_.facets[facet].centroid)));
+}
+
 bool FacetFitter::is_tiny(int facet) const {
   return graph_.facets[facet].area < kTinyArea * tolerance_.diagonal * tolerance_.diagonal ||
          graph_.normal_error_rad[facet] > kTinyNormalError;

@@ -56,6 +56,9 @@ class FacetFitter {
   /// Largest distance of a facet's corners.
   double max_distance(const Surface& surface, int facet) const;
 
+  /// Largest distance of a facet's corners and its centre: all corners of a chord lie on a cylinder.
+  double max_depth(const Surface& surface, int facet) const;
+
   /// Too small for its normal to mean anything.
   bool is_tiny(int facet) const;
   /// Large enough for its normal to be trusted.

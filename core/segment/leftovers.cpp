@@ -138,7 +138,7 @@ void compact_groups(std::vector<GrownGroup>& groups, std::vector<int>& group_of_
 bool is_piece(const FacetShape& shape, double depth, const GrownGroup& group,
               const FacetGraph& graph, const FacetFitter& fitter) {
   return std::all_of(group.facets.begin(), group.facets.end(), [&](int f) {
-    if (fitter.max_distance(shape.surface, f) > depth) return false;
+    if (fitter.max_depth(shape.surface, f) > depth) return false;
     if (fitter.is_tiny(f)) return true;
     const Facet& facet = graph.facets[f];
     const double cosine = shape.side * shape.surface.gradient(facet.centroid).dot(facet.normal);
@@ -229,7 +229,7 @@ class SplinterDissolver {
       const int g = group_of_[n.facet];
       if (g < 0 || g == own || areas_[g] <= areas_[own]) continue;
       const Surface& s = groups_[g].surface;
-      const double distance = fitter_.max_distance(s, f);
+      const double distance = fitter_.max_depth(s, f);
       if (distance >= best_distance) continue;
       const double turn =
           unsigned_angle(s.gradient(graph_.facets[f].centroid), graph_.facets[f].normal);

@@ -174,6 +174,9 @@ class RingFinder {
       if (ring.facets.size() < kMinPlanes || !improve_axis(ring) || !fit(ring)) return false;
       if (round > 0 && ring.facets.size() <= before) break;
     }
+    // A wall that runs on from a slot's round end touches the circle, too.
+    const Surface s = surface_of(ring);
+    std::erase_if(ring.facets, [&](int f) { return !lies_within(ring, s, f); });
     return distinct_planes(ring) >= kMinPlanes &&
            std::all_of(ring.facets.begin(), ring.facets.end(),
                        [&](int f) { return miss(ring, f) < tangent_limit(ring); });
@@ -241,10 +244,7 @@ class RingFinder {
   /// Makes the ring a group, with the facets across its edges.
   void take(const Ring& ring) {
     GrownGroup group;
-    group.surface.kind = SurfaceKind::Cylinder;
-    group.surface.axis = ring.axis;
-    group.surface.point = ring.center;
-    group.surface.radius = ring.circumscribed();
+    group.surface = surface_of(ring);
     group.facets = ring.facets;
     group.is_settled = ring.is_regular;
     const int id = static_cast<int>(groups_.size());
@@ -259,6 +259,15 @@ class RingFinder {
     groups_.push_back(std::move(group));
   }
 
+  static Surface surface_of(const Ring& ring) {
+    Surface s;
+    s.kind = SurfaceKind::Cylinder;
+    s.axis = ring.axis;
+    s.point = ring.center;
+    s.radius = ring.circumscribed();
+    return s;
+  }
+
   /// Between the inscribed and the circumscribed circle, and facing the right way.
   bool lies_within(const Ring& ring, const Surface& s, int f) const {
     const double slack = tangent_limit(ring);
@@ -267,6 +276,7 @@ class RingFinder {
       if (d > slack || d < -ring.depth() - slack) return false;
     }
     const Facet& facet = graph_.facets[f];
+    if (s.signed_distance(facet.centroid) < -ring.depth() - slack) return false;
     if (facet.normal.isZero()) return true;
     const double side = ring.radius < 0 ? -1 : 1;
     return side * s.gradient(facet.centroid).dot(facet.normal) > std::cos(ring.step_rad);

@@ -107,17 +107,13 @@ class BorderRelaxer {
   /// The facet that a plane's place was taken from stays with it.
   bool is_main_facet(int f) const {
     const GrownGroup& group = groups_[group_of_[f]];
-    return group.surface.kind == SurfaceKind::Plane && distance(group.surface, f) < tolerance_.eps;
-  }
-
-  double distance(const Surface& s, int f) const {
-    return std::max(fitter_.max_distance(s, f),
-                    std::abs(s.signed_distance(graph_.facets[f].centroid)));
+    return group.surface.kind == SurfaceKind::Plane &&
+           fitter_.max_depth(group.surface, f) < tolerance_.eps;
   }
 
   int better_neighbor(int f) const {
     const int own = group_of_[f];
-    double best = kBetter * distance(groups_[own].surface, f);
+    double best = kBetter * fitter_.max_depth(groups_[own].surface, f);
     if (best < tolerance_.eps) return -1;
     const Facet& facet = graph_.facets[f];
     int found = -1;
@@ -125,7 +121,7 @@ class BorderRelaxer {
       const int g = group_of_[n.facet];
       if (g < 0 || g == own || g == found) continue;
       const Surface& s = groups_[g].surface;
-      const double d = distance(s, f);
+      const double d = fitter_.max_depth(s, f);
       if (d >= best) continue;
       const bool agrees =
           fitter_.is_tiny(f) || unsigned_angle(s.gradient(facet.centroid), facet.normal) < kMaxTurn;

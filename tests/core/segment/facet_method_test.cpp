@@ -95,6 +95,57 @@ TEST_CASE("a cylinder is found from its flat sides when no vertex lies on it any
   CHECK(cylinders[0].surface.radius == doctest::Approx(0.8).epsilon(1e-5));
 }
 
+/// The wall of a bar along z over a closed polygon, without its ends, in `rows` bands.
+Mesh wall(const std::vector<Vec2>& outline, double height, int rows = 1) {
+  const int n = static_cast<int>(outline.size());
+  std::vector<Vec3> vertices;
+  for (int row = 0; row <= rows; ++row) {
+    for (const Vec2& p : outline) vertices.push_back({p.x(), p.y(), height * row / rows});
+  }
+  std::vector<std::array<int, 3>> triangles;
+  for (int row = 0; row < rows; ++row) {
+    for (int i = 0; i < n; ++i) {
+      const int low = row * n;
+      const int j = (i + 1) % n;
+      triangles.push_back({low + i, low + j, low + n + j});
+      triangles.push_back({low + i, low + n + j, low + n + i});
+    }
+  }
+  return make_mesh(vertices, triangles);
+}
+
+/// The polygon with each side in four pieces.
+std::vector<Vec2> cut_up(const std::vector<Vec2>& outline) {
+  std::vector<Vec2> cut;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2& next = outline[(i + 1) % outline.size()];
+    for (int k = 0; k < 4; ++k) cut.push_back(outline[i] + (next - outline[i]) * (0.25 * k));
+  }
+  return cut;
+}
+
+TEST_CASE("the walls of a cut-up slot do not belong to its round ends") {
+  // The walls run on in the direction of what would be the next side: they touch the inscribed
+  // circle like all sides.
+  std::vector<Vec2> outline;
+  for (const double end : {1.0, -1.0}) {
+    for (int k = 0; k < 15; ++k) {
+      const double angle = (-84 + 12 * k) * kPi / 180;
+      outline.push_back(end * Vec2(1.5 + 0.6 * std::cos(angle), 0.6 * std::sin(angle)));
+    }
+  }
+  const Mesh mesh = wall(cut_up(outline), 2, 8);
+  const Segmentation s = segmented(mesh);
+  check_partition(mesh, s);
+  CHECK(s.groups.size() == 4);
+  const auto cylinders = groups_of_kind(s, SurfaceKind::Cylinder);
+  REQUIRE(cylinders.size() == 2);
+  for (const FaceGroup& g : cylinders) {
+    CHECK(g.surface.radius == doctest::Approx(0.6).epsilon(1e-4));
+    CHECK(g.max_deviation < 0.01);
+  }
+}
+
 TEST_CASE("tessellated solids are taken apart into the surfaces they were made from") {
   const Affine3 oblique = solids::oblique_transform();
   for (const double jitter : {0.0, 1e-5}) {
@@ -152,22 +203,6 @@ TEST_CASE("a fillet is told from the planes that it touches") {
   CHECK(fillets[0].surface.radius == doctest::Approx(0.5).epsilon(1e-6));
   CHECK(fillets[0].triangles.size() == 16);
   CHECK(groups_of_kind(s, SurfaceKind::Plane).size() == 6);
-}
-
-/// The wall of a bar along z over a closed polygon, without its ends.
-Mesh wall(const std::vector<Vec2>& outline, double height) {
-  const int n = static_cast<int>(outline.size());
-  std::vector<Vec3> vertices;
-  for (const double z : {0.0, height}) {
-    for (const Vec2& p : outline) vertices.push_back({p.x(), p.y(), z});
-  }
-  std::vector<std::array<int, 3>> triangles;
-  for (int i = 0; i < n; ++i) {
-    const int j = (i + 1) % n;
-    triangles.push_back({i, j, n + j});
-    triangles.push_back({i, n + j, n + i});
-  }
-  return make_mesh(vertices, triangles);
 }
 
 TEST_CASE("single wide facets do not keep a cylinder from being one") {
