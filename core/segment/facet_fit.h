@@ -56,7 +56,8 @@ class FacetFitter {
   /// Largest distance of a facet's corners.
   double max_distance(const Surface& surface, int facet) const;
 
-  /// Largest distance of a facet's corners and its centre: all corners of a chord lie on a cylinder.
+  /// Largest distance of a facet's corners and its centre: all corners of a chord lie on a
+  /// cylinder.
   double max_depth(const Surface& surface, int facet) const;
 
   /// Too small for its normal to mean anything.
