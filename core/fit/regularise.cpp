@@ -256,7 +256,10 @@ Result<SurfaceSet> regularise(const Mesh& mesh, const Segmentation& segmentation
   settle_sizes(items, diagonal, segmentation.noise, options);
   if (run.is_cancelled()) return RunContext::cancelled();
   SetBuilder builder(mesh, segmentation, options.snap_distance * diagonal);
-  for (const FitItem& item : items) builder.add(item);
+  for (const FitItem& item : items) {
+    if (run.is_cancelled()) return RunContext::cancelled();
+    builder.add(item);
+  }
   run.report("regularise", 1);
   return builder.finish(directions);
 }

@@ -12,13 +12,13 @@ constexpr double kBetter = 0.5;     // of the own distance: what a facet gains b
 constexpr double kMaxTurn = 0.1;    // radians, of a facet from the surface that it moves to
 constexpr double kMainFacet = 0.3;  // of a plane's area: the facet that tells where it lies
 constexpr std::size_t kPointsPerParameter = 3;
+constexpr std::size_t kMaxPoints = 2000;
 
 class BorderRelaxer {
  public:
   BorderRelaxer(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
                 std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet)
-      : mesh_(mesh),
-        graph_(graph),
+      : graph_(graph),
         tolerance_(tolerance),
         fitter_(mesh, graph, tolerance),
         groups_(groups),
@@ -26,7 +26,10 @@ class BorderRelaxer {
 
   void run(const RunContext& run) {
     for (int round = 0; round < kRounds && !run.is_cancelled(); ++round) {
-      for (GrownGroup& group : groups_) refit(group);
+      for (GrownGroup& group : groups_) {
+        if (run.is_cancelled()) return;
+        refit(group);
+      }
       if (!reassign()) break;
     }
   }
@@ -42,8 +45,7 @@ class BorderRelaxer {
     for (const int f : group.facets) {
       if (is_inside(f)) inner.push_back(f);
     }
-    std::vector<Vec3> points;
-    for (const int v : fitter_.corner_indices(inner)) points.push_back(mesh_.vertices[v]);
+    const std::vector<Vec3> points = fitter_.corner_points(inner, kMaxPoints);
     const auto parameters = static_cast<std::size_t>(parameter_count(group.surface.kind));
     if (points.size() < kPointsPerParameter * parameters) return;
     // Vertices lie anywhere in the depth of the facets that were cut up; squares below it, absolute
@@ -132,7 +134,6 @@ class BorderRelaxer {
     return found;
   }
 
-  const Mesh& mesh_;
   const FacetGraph& graph_;
   SurfaceTolerance tolerance_;
   FacetFitter fitter_;
