@@ -239,10 +239,10 @@ class TreeSearch {
       if (f) solutions.push_back(std::move(*f));
     }
     if (solutions.empty()) return false;
-    // Successive halving: fewer and fewer, for longer and longer.
+    // Successive halving: fewer and fewer, for longer and longer; in pairs, which two threads share.
     int task = 100;
     for (int share = kFirstShare; share >= 1; share /= 2) {
-      keep_cheapest(solutions, std::max<std::size_t>(2, solutions.size() / 2));
+      keep_cheapest(solutions, (solutions.size() + 3) / 4 * 2);
       refine(round, task, share, solutions);
       task += 100;
     }
