@@ -19,6 +19,8 @@ constexpr double kMaxShift = 1.5e-4;  // of the diagonal, by which snapping move
 constexpr double kMaxTurn = 0.01;     // rad; however small the surface that implies the plane
 constexpr double kAngleStep = kPi / 12;
 constexpr double kExactlyAcross = 1e-12;
+/// What a plane of a new direction counts beside one along or across the part's own surfaces.
+constexpr double kNewDirection = 0.85;
 constexpr double kOpenArc = 0.4;  // rad; a smaller gap is a closed turn
 
 /// Collects candidate halfspaces without repeating any.
@@ -278,6 +280,7 @@ int add_separating_halfspaces(const SampleSpace& space, SurfaceSet& surfaces, Sa
   const double points = static_cast<double>(table.size());
   const auto share = [&] { return static_cast<double>(cells.conflicting_points()) / points; };
   if (share() < kWorthLooking) return 0;
+  const int own_directions = static_cast<int>(surfaces.directions.size());
   std::vector<Halfspace> candidates = separating_candidates(space, surfaces);
   const Conflict conflict = gather_conflict(table, cells, candidates, run);
   int added = 0;
@@ -289,6 +292,10 @@ int add_separating_halfspaces(const SampleSpace& space, SurfaceSet& surfaces, Sa
         resolved[k] = resolved_by(conflict, k, table, cells, counts);
       }
     });
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      if (candidates[k].direction < own_directions) continue;
+      resolved[k] = static_cast<long>(static_cast<double>(resolved[k]) * kNewDirection);
+    }
     const auto best = std::max_element(resolved.begin(), resolved.end());
     if (best == resolved.end() || static_cast<double>(*best) < std::max(2.0, 2e-5 * points)) break;
     surfaces.halfspaces.push_back(candidates[static_cast<std::size_t>(best - resolved.begin())]);
