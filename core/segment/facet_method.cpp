@@ -8,6 +8,7 @@
 #include "core/segment/leftovers.h"
 #include "core/segment/plane_rings.h"
 #include "core/segment/polish.h"
+#include "core/segment/scattered.h"
 #include "core/segment/relax_borders.h"
 
 namespace hewn {
@@ -147,6 +148,7 @@ Result<Attempt> attempt(const Mesh& mesh, const std::vector<std::array<int, 3>>&
   dissolve_splinters(mesh, a.graph, a.tolerance, a.groups, a.group_of);
   if (run.is_cancelled()) return RunContext::cancelled();
   prefer_developable(mesh, a.graph, a.tolerance, a.groups, a.group_of);
+  gather_scattered(mesh, a.graph, a.tolerance, a.groups, a.group_of);
   polish_groups(mesh, a);
   return a;
 }

@@ -407,5 +407,49 @@ TEST_CASE("a torus of two equally wide rings stays one") {
   CHECK(groups_of_kind(s, SurfaceKind::Torus).size() == 1);
 }
 
+/// A wheel of radius 10 around z with a bore, from whose rim every third of 36 facets is left;
+/// between them it is cut down to `low`.
+Mesh toothed_wheel(double low) {
+  constexpr int kSides = 36;
+  std::vector<Vec3> vertices;
+  std::vector<Triangle> triangles;
+  const auto ring = [&](const auto& radius, double z) {
+    for (int k = 0; k < kSides; ++k) {
+      const double angle = 2 * kPi * k / kSides;
+      vertices.push_back(Vec3(radius(k) * std::cos(angle), radius(k) * std::sin(angle), z));
+    }
+  };
+  const auto outer = [low](int k) { return k % 3 == 2 ? low : 10.0; };
+  const auto bore = [](int) { return 3.0; };
+  ring(outer, 0);
+  ring(outer, 5);
+  ring(bore, 5);
+  ring(bore, 0);
+  // Four bands of quads: rim, top, bore, bottom.
+  for (int band = 0; band < 4; ++band) {
+    for (int k = 0; k < kSides; ++k) {
+      const int a = band * kSides + k;
+      const int b = band * kSides + (k + 1) % kSides;
+      const int c = (band + 1) % 4 * kSides + k;
+      const int d = (band + 1) % 4 * kSides + (k + 1) % kSides;
+      triangles.push_back({a, b, d});
+      triangles.push_back({a, d, c});
+    }
+  }
+  return make_mesh(vertices, triangles);
+}
+
+TEST_CASE("scattered facets about a known axis are one cylinder") {
+  const Segmentation s = segmented(toothed_wheel(6));
+  std::vector<double> radii;
+  for (const FaceGroup& g : groups_of_kind(s, SurfaceKind::Cylinder)) {
+    radii.push_back(g.surface.radius);
+  }
+  std::sort(radii.begin(), radii.end());
+  REQUIRE(radii.size() == 2);
+  CHECK(radii[0] == doctest::Approx(3));
+  CHECK(radii[1] == doctest::Approx(10));
+}
+
 }  // namespace
 }  // namespace hewn
