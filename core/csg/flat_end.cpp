@@ -22,7 +22,7 @@ LocalBox local_box(const Literal& s) {
 std::vector<FlatEnd> flat_ends(const Literal& literal) {
   std::vector<FlatEnd> ends;
   const bool is_box = literal.kind == SolidKind::Box;
-  if (!is_box && literal.kind != SolidKind::Cylinder) return ends;
+  if (literal.stretch || (!is_box && literal.kind != SolidKind::Cylinder)) return ends;
   for (int axis = is_box ? 0 : 2; axis < 3; ++axis) {
     for (const bool is_upper : {false, true}) ends.push_back({axis, is_upper});
   }

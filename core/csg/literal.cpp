@@ -82,27 +82,78 @@ Box3 around(const Vec3& center, const Vec3& half) {
   return box;
 }
 
-}  // namespace
-
-double Literal::signed_distance(const Vec3& x) const {
-  const Vec3 p = to_local(x);
-  switch (kind) {
+double canonical_distance(const Literal& s, const Vec3& p) {
+  switch (s.kind) {
     case SolidKind::Box:
-      return box_distance(p, size);
+      return box_distance(p, s.size);
     case SolidKind::Cylinder:
-      return frustum_distance(*this, p);
+      return frustum_distance(s, p);
     case SolidKind::Sphere:
-      return p.norm() - radius;
+      return p.norm() - s.radius;
     case SolidKind::Torus:
-      return std::hypot(std::hypot(p.x(), p.y()) - major_radius, p.z()) - radius;
+      return std::hypot(std::hypot(p.x(), p.y()) - s.major_radius, p.z()) - s.radius;
     case SolidKind::Polyhedron:
-      if (polyhedron_query) return polyhedron_query->signed_distance(p);
-      return polyhedron ? polyhedron_distance(*polyhedron, p) : kInfinity;
+      if (s.polyhedron_query) return s.polyhedron_query->signed_distance(p);
+      return s.polyhedron ? polyhedron_distance(*s.polyhedron, p) : kInfinity;
   }
   return kInfinity;
 }
 
+/// Half-extents of a unit disc whose axes are two columns of `map`.
+Vec3 disc_extent(const Mat3& map) {
+  return (map.col(0).cwiseAbs2() + map.col(1).cwiseAbs2()).cwiseSqrt();
+}
+
+/// The bounds of a stretched literal: those of discs and balls under a linear map.
+Box3 stretched_bounds(const Literal& s) {
+  const Mat3 map = s.rotation * s.stretch->matrix;
+  const Vec3 center = s.to_world(Vec3::Zero());
+  const Vec3 ball = map.cwiseAbs2().rowwise().sum().cwiseSqrt();
+  Box3 box;
+  switch (s.kind) {
+    case SolidKind::Box:
+      for (int k = 0; k < 8; ++k) {
+        const Vec3 corner((k & 1) ? s.size.x() : 0, (k & 2) ? s.size.y() : 0,
+                          (k & 4) ? s.size.z() : 0);
+        box.extend(s.to_world(corner));
+      }
+      break;
+    case SolidKind::Cylinder: {
+      box = around(center, disc_extent(map) * s.radius);
+      const Vec3 top = s.to_world(Vec3::UnitZ() * s.height);
+      const Box3 end = around(top, disc_extent(map) * s.top_radius);
+      box.extend(end.lo);
+      box.extend(end.hi);
+      break;
+    }
+    case SolidKind::Sphere:
+      box = around(center, ball * s.radius);
+      break;
+    case SolidKind::Torus:
+      box = around(center, disc_extent(map) * s.major_radius + ball * s.radius);
+      break;
+    case SolidKind::Polyhedron:
+      if (!s.polyhedron) break;
+      for (const Vec3& p : s.polyhedron->vertices) box.extend(s.to_world(p));
+      break;
+  }
+  return box;
+}
+
+}  // namespace
+
+Stretch Stretch::of(const Mat3& matrix) {
+  const Mat3 inverse = matrix.inverse();
+  return {matrix, inverse, 1 / inverse.norm()};
+}
+
+double Literal::signed_distance(const Vec3& x) const {
+  const double distance = canonical_distance(*this, to_local(x));
+  return stretch ? distance * stretch->least : distance;
+}
+
 Box3 Literal::bounds() const {
+  if (stretch) return stretched_bounds(*this);
   const Vec3 center = rotation * origin;
   const Vec3 axis = rotation.col(2);
   Box3 box;

@@ -199,7 +199,7 @@ void TreeRays::cast_literal(int literal, const Ray& ray, Intervals& out) const {
   if (reach.enter > reach.leave + slack || reach.leave < 0) return;
 
   const Vec3 o = shape.to_local(ray.origin);
-  const Vec3 d = shape.rotation.transpose() * ray.direction;
+  const Vec3 d = shape.direction_to_local(ray.direction);
   Span span;
   switch (shape.kind) {
     case SolidKind::Box:
@@ -306,6 +306,7 @@ Vec3 TreeRays::normal(const TreeCrossing& crossing, const Vec3& position,
           meshes_[crossing.literal]->mesh().normals[meshes_[crossing.literal]->closest(x).triangle];
       break;
   }
+  if (shape.stretch) local = (shape.stretch->inverse.transpose() * local).normalized();
   const Vec3 n = shape.rotation * local;
   return n.dot(direction) > 0 ? Vec3(-n) : n;
 }

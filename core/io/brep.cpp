@@ -10,6 +10,7 @@
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_GTransform.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -31,6 +32,7 @@
 #include <fmt/format.h>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
+#include <gp_GTrsf.hxx>
 
 namespace hewn {
 namespace {
@@ -80,14 +82,33 @@ class BrepBuilder {
 
   Vec3 to_shape(const Vec3& x) const { return (x - out_.center) * out_.scale; }
 
-  gp_Ax2 frame_of(const Literal& s) const {
-    return {point(to_shape(s.to_world(Vec3::Zero()))), direction(s.rotation.col(2)),
-            direction(s.rotation.col(0))};
+  Result<TopoDS_Shape> literal(const Literal& s) const {
+    if (s.stretch) return stretched(s);
+    return solid(s,
+                 {point(to_shape(s.to_world(Vec3::Zero()))), direction(s.rotation.col(2)),
+                  direction(s.rotation.col(0))},
+                 out_.scale);
   }
 
-  Result<TopoDS_Shape> literal(const Literal& s) const {
-    const gp_Ax2 frame = frame_of(s);
-    const double k = out_.scale;
+  /// The canonical solid, mapped; OpenCASCADE turns its surfaces into splines.
+  Result<TopoDS_Shape> stretched(const Literal& s) const {
+    const Result<TopoDS_Shape> canonical = solid(s, gp_Ax2(), 1);
+    if (!canonical) return canonical;
+    const Mat3 m = out_.scale * s.rotation * s.stretch->matrix;
+    const Vec3 t = to_shape(s.to_world(Vec3::Zero()));
+    gp_GTrsf map;
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) map.SetValue(i + 1, k + 1, m(i, k));
+      map.SetValue(i + 1, 4, t[i]);
+    }
+    TopoDS_Shape shape = BRepBuilderAPI_GTransform(*canonical, map, true).Shape();
+    // A map that mirrors turns the faces inside out.
+    if (m.determinant() < 0) shape.Reverse();
+    return shape;
+  }
+
+  /// The canonical solid in `frame`, its lengths times `k`.
+  Result<TopoDS_Shape> solid(const Literal& s, const gp_Ax2& frame, double k) const {
     switch (s.kind) {
       case SolidKind::Box:
         return BRepPrimAPI_MakeBox(frame, s.size.x() * k, s.size.y() * k, s.size.z() * k).Shape();

@@ -74,6 +74,11 @@ Json to_json(const Literal& s) {
   for (int i = 0; i < 9; ++i) rotation.push_back(s.rotation(i / 3, i % 3));
   out["rotation"] = std::move(rotation);
   out["origin"] = to_json(s.origin);
+  if (s.stretch) {
+    Json stretch = Json::array();
+    for (int i = 0; i < 9; ++i) stretch.push_back(s.stretch->matrix(i / 3, i % 3));
+    out["stretch"] = std::move(stretch);
+  }
   put_shape(s, out);
   if (s.facets.sides != 0 || s.facets.tube_sides != 0) {
     out["facets"] = {{"sides", s.facets.sides},
@@ -238,6 +243,7 @@ class TreeReader {
     s.kind = kind;
     s.rotation = rotation(value, path);
     s.origin = vector(value, path, "origin");
+    if (value.contains("stretch")) read_stretch(value, path, s);
     read_shape(value, path, s);
     if (value.contains("facets")) read_facets(value["facets"], path + "/facets", s.facets);
     const int index = tree_.add_literal(std::move(s));
@@ -245,15 +251,34 @@ class TreeReader {
     return index;
   }
 
-  Mat3 rotation(const Json& value, const std::string& path) {
+  Mat3 matrix(const Json& value, const std::string& path, const char* key) {
     Mat3 m = Mat3::Identity();
-    const Json* list = array(value, path, "rotation");
+    const Json* list = array(value, path, key);
     if (!list) return m;
-    const std::string here = path + "/rotation";
+    const std::string here = path + "/" + key;
     if (list->size() != 9) return fail(here, "nine numbers are needed, row by row"), m;
     for (int i = 0; i < 9; ++i) {
       m(i / 3, i % 3) = number((*list)[i], here + "/" + std::to_string(i));
     }
+    return m;
+  }
+
+  void read_stretch(const Json& value, const std::string& path, Literal& s) {
+    const Mat3 m = matrix(value, path, "stretch");
+    if (fault_) return;
+    if (s.kind == SolidKind::Polyhedron) {
+      return fail(path + "/stretch", "a polyhedron cannot be stretched; move its vertices");
+    }
+    const double size = m.cwiseAbs().maxCoeff();
+    if (!(std::abs(m.determinant()) > 1e-12 * size * size * size)) {
+      return fail(path + "/stretch", "the matrix flattens the solid; its rows must be independent");
+    }
+    s.stretch = Stretch::of(m);
+  }
+
+  Mat3 rotation(const Json& value, const std::string& path) {
+    const Mat3 m = matrix(value, path, "rotation");
+    const std::string here = path + "/rotation";
     const double error = (m.transpose() * m - Mat3::Identity()).cwiseAbs().maxCoeff();
     if (!fault_ && !(error < 1e-6)) fail(here, "the rows must be unit vectors at right angles");
     return m;
@@ -331,6 +356,7 @@ class TreeReader {
 
 bool is_finite(const Literal& s) {
   bool ok = s.rotation.allFinite() && s.origin.allFinite() && s.size.allFinite();
+  ok = ok && (!s.stretch || s.stretch->matrix.allFinite());
   for (const double x : {s.height, s.radius, s.top_radius, s.major_radius, s.facets.phase_rad,
                          s.facets.tube_phase_rad}) {
     ok = ok && std::isfinite(x);

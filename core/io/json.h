@@ -7,7 +7,8 @@
 ///        {"op": "cube", "rotation": [1, 0, 0, 0, 1, 0, 0, 0, 1], "origin": [0, 0, 0],
 ///         "size": [4, 2, 1]}, ...]}}
 ///
-/// Rotations are row by row. An empty tree has `"root": null`.
+/// Rotations are row by row; so is the `stretch` that some literals have. An empty tree has
+/// `"root": null`.
 #include <filesystem>
 #include <string>
 #include <string_view>

@@ -20,6 +20,7 @@ class LiteralPrinter {
       : literal_(literal), frame_(frame), style_(style) {}
 
   std::string aligned(const std::string& indent) const {
+    if (literal_.stretch) return stretched();
     switch (literal_.kind) {
       case SolidKind::Box:
         return box();
@@ -225,6 +226,48 @@ class LiteralPrinter {
       body += separator(n++, 6, indent) + fmt::format("[{}, {}, {}]", f[0], f[1], f[2]);
     }
     return body + "],\n" + indent + "  convexity = 10);";
+  }
+
+  /// The canonical solid under one matrix.
+  std::string stretched() const {
+    const double slack = style_.slack / literal_.bounds().diagonal();
+    const Mat3 map = frame_.transpose() * literal_.rotation * literal_.stretch->matrix;
+    Literal plain = literal_;
+    plain.stretch.reset();
+    plain.rotation.setIdentity();
+    plain.origin.setZero();
+    // The solid itself may be of any size before the matrix: print it as a unit solid.
+    const double unit = canonical_size(plain);
+    const Steps3 at = quantized(center());
+    std::string rows;
+    for (int i = 0; i < 3; ++i) {
+      rows += "[";
+      for (int k = 0; k < 3; ++k) rows += shortest_decimal(map(i, k) * unit, slack * unit) + ", ";
+      rows += text(at[i]) + "], ";
+    }
+    return "multmatrix([" + rows + "[0, 0, 0, 1]]) " + unit_call(plain, unit);
+  }
+
+  static double canonical_size(const Literal& s) {
+    return std::max({s.size.maxCoeff(), s.height, s.radius, s.top_radius, s.major_radius});
+  }
+
+  std::string unit_call(const Literal& s, double unit) const {
+    // Lengths at the scale of 1, where the grid of the file means nothing.
+    const auto part = [&](double x) { return shortest_decimal(x / unit, 1e-9); };
+    if (s.kind == SolidKind::Box) {
+      return fmt::format("cube([{}, {}, {}]);", part(s.size.x()), part(s.size.y()),
+                         part(s.size.z()));
+    }
+    if (s.kind == SolidKind::Sphere) {
+      return "sphere(r = " + part(s.radius) + own_sides(s.facets.sides) + ");";
+    }
+    if (s.kind == SolidKind::Torus) {
+      return "rotate_extrude() translate([" + part(s.major_radius) +
+             ", 0]) circle(r = " + part(s.radius) + ");";
+    }
+    return "cylinder(h = " + part(s.height) + ", r1 = " + part(s.radius) +
+           ", r2 = " + part(s.top_radius) + own_sides(s.facets.sides) + ");";
   }
 
   static std::string separator(std::size_t i, std::size_t per_line, const std::string& indent) {

@@ -57,8 +57,11 @@ std::vector<Mat3> quarter_turns() {
 }
 
 bool has_axis(const Literal& s) {
-  return s.kind == SolidKind::Cylinder || s.kind == SolidKind::Torus;
+  return !s.stretch && (s.kind == SolidKind::Cylinder || s.kind == SolidKind::Torus);
 }
+
+/// Stretched literals are printed by their matrix, in any frame.
+bool is_plain_box(const Literal& s) { return !s.stretch && s.kind == SolidKind::Box; }
 
 /// Builds the frame set in three passes: boxes, pairs of axes, single axes.
 class FrameFinder {
@@ -70,7 +73,7 @@ class FrameFinder {
 
   FrameSet run() {
     for (const Literal& s : literals_) {
-      if (s.kind == SolidKind::Box) add_unless_aligned(s, s.rotation);
+      if (is_plain_box(s)) add_unless_aligned(s, s.rotation);
     }
     add_axis_pairs();
     for (const Literal& s : literals_) {
@@ -246,14 +249,12 @@ bool is_aligned(const Literal& literal, const Mat3& frame, double tolerance) {
   if (has_axis(literal)) {
     return along_column(frame, literal.rotation.col(2), tolerance).index >= 0;
   }
-  if (literal.kind != SolidKind::Box) return true;
+  if (!is_plain_box(literal)) return true;
   Mat3 ignored;
   return as_signed_permutation(frame.transpose() * literal.rotation, tolerance, ignored);
 }
 
-bool is_oriented(const Literal& literal) {
-  return literal.kind == SolidKind::Box || has_axis(literal);
-}
+bool is_oriented(const Literal& literal) { return is_plain_box(literal) || has_axis(literal); }
 
 FrameSet find_frames(const std::vector<Literal>& literals, double tolerance_rad) {
   return FrameFinder(literals, tolerance_rad).run();

@@ -45,7 +45,7 @@ AlongColumn along_column(const Mat3& frame, const Vec3& axis, double tolerance);
 /// Whether the literal can be written in the frame with quarter turns only.
 bool is_aligned(const Literal& literal, const Mat3& frame, double tolerance);
 
-/// Spheres and polyhedra have no direction of their own.
+/// Spheres, polyhedra and stretched literals have no direction that a frame could share.
 bool is_oriented(const Literal& literal);
 
 /// The frames that literals share. Frame 0 is the identity.
