@@ -42,6 +42,7 @@ void add_info(CLI::App& app, RunFlags& flags, Command& chosen);
 void add_compare(CLI::App& app, RunFlags& flags, Command& chosen);
 void add_export(CLI::App& app, RunFlags& flags, Command& chosen);
 void add_replay(CLI::App& app, RunFlags& flags, Command& chosen);
+void add_optimise(CLI::App& app, RunFlags& flags, Command& chosen);
 void add_options(CLI::App& app, RunFlags& flags, Command& chosen);
 
 }  // namespace hewn

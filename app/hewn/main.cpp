@@ -79,6 +79,7 @@ int main(int argc, char** argv) {
   hewn::add_compare(app, flags, chosen);
   hewn::add_export(app, flags, chosen);
   hewn::add_replay(app, flags, chosen);
+  hewn::add_optimise(app, flags, chosen);
   hewn::add_options(app, flags, chosen);
   try {
     app.parse(argc, argv);

@@ -81,29 +81,35 @@ std::string first_error(const std::filesystem::path& log) {
 
 }  // namespace
 
-Result<LoadedMesh> render_scad(const std::filesystem::path& design, const MeshLoadOptions& options,
-                               const RunContext& run) {
-  if (const auto readable = read_file(design); !readable) return readable.error();
+Result<void> run_openscad(const std::filesystem::path& design, const std::filesystem::path& output,
+                          const RunContext& run) {
   const auto folder = TemporaryFolder::create();
   if (!folder) return folder.error();
-  const std::filesystem::path mesh = *folder / "design.off";
   const std::filesystem::path log = *folder / "log";
   // An absolute path cannot be taken for a flag.
   const auto child =
-      start_openscad(std::filesystem::absolute(design).string(), mesh.string(), log.string());
+      start_openscad(std::filesystem::absolute(design).string(), output.string(), log.string());
   if (!child) {
     return Error{ErrorCode::NotFound,
                  "an OpenSCAD design needs the program openscad, which is not there; install it, "
                  "or give the tree as .json",
                  design.string()};
   }
-  const auto is_rendered = wait_for(*child, run);
-  if (!is_rendered) return is_rendered.error();
-  if (!*is_rendered) {
-    return Error{ErrorCode::Format,
-                 fmt::format("openscad cannot render this design: {}", first_error(log)),
-                 design.string()};
-  }
+  const auto is_done = wait_for(*child, run);
+  if (!is_done) return is_done.error();
+  if (*is_done) return {};
+  return Error{ErrorCode::Format,
+               fmt::format("openscad cannot render this design: {}", first_error(log)),
+               design.string()};
+}
+
+Result<LoadedMesh> render_scad(const std::filesystem::path& design, const MeshLoadOptions& options,
+                               const RunContext& run) {
+  if (const auto readable = read_file(design); !readable) return readable.error();
+  const auto folder = TemporaryFolder::create();
+  if (!folder) return folder.error();
+  const std::filesystem::path mesh = *folder / "design.off";
+  if (auto done = run_openscad(design, mesh, run); !done) return done.error();
   auto loaded = load_mesh(mesh, options, run);
   if (loaded) return loaded;
   Error error = loaded.error();

@@ -268,6 +268,11 @@ void TreeRays::cast_node(int node, const Ray& ray, std::size_t depth,
   }
 }
 
+void TreeRays::cast_literal(int literal, const Vec3& origin, const Vec3& direction,
+                            Intervals& out) const {
+  cast_literal(literal, {origin, direction}, out);
+}
+
 const Intervals& TreeRays::cast(const Vec3& origin, const Vec3& direction,
                                 TreeRayScratch& scratch) const {
   if (scratch.lists.empty()) scratch.lists.resize(4);

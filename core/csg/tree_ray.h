@@ -33,6 +33,9 @@ class TreeRays {
   /// All stretches with t > 0 inside the solid, ascending. Cost: O(literals) for small results.
   const std::vector<TreeInterval>& cast(const Vec3& origin, const Vec3& direction,
                                         TreeRayScratch& scratch) const;
+  /// The stretches inside one literal with leave.t > 0, ascending; replaces `out`.
+  void cast_literal(int literal, const Vec3& origin, const Vec3& direction,
+                    std::vector<TreeInterval>& out) const;
   /// The unit normal at a crossing's position, on the side that `direction` comes from: outward
   /// for the ray's own direction where it enters, for the opposite one where it leaves.
   Vec3 normal(const TreeCrossing& crossing, const Vec3& position, const Vec3& direction) const;

@@ -28,6 +28,7 @@ std::string openscad_text(const Tree& tree, const TreeFileOptions& options) {
   }
   ScadOptions scad;
   scad.match_facets = options.match_facets;
+  scad.extend_tools = options.extend_tools;
   return to_openscad(tree, header, scad);
 }
 

@@ -16,6 +16,7 @@ namespace hewn {
 struct TreeFileOptions {
   std::string part;
   bool match_facets = false;
+  bool extend_tools = true;  ///< flush ends of subtracted solids stick out
   std::optional<TreeScore> score;
   std::vector<std::string> warnings;
 };

@@ -1,0 +1,179 @@
+#include "core/synth/optimise.h"
+
+#include <memory>
+#include <mutex>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/hewn/commands.h"
+#include "app/hewn/read_tree.h"
+#include "core/base/file.h"
+#include "core/session/tree_file.h"
+
+namespace hewn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct OptimiseFlags {
+  std::string input, output, report, method = "rewrite";
+  double tolerance = 0;
+  std::size_t points = EquivalenceOptions{}.points;
+};
+
+/// In the order of `OptimiseMethod`.
+constexpr const char* kMethods[] = {"redundancy", "rewrite"};
+
+OptimiseMethod method_of(const std::string& name) {
+  for (std::size_t i = 0; i < std::size(kMethods); ++i) {
+    if (name == kMethods[i]) return static_cast<OptimiseMethod>(i);
+  }
+  return OptimiseMethod::Rewrite;
+}
+
+const char* name_of(SolidExtent extent) {
+  switch (extent) {
+    case SolidExtent::Bounded:
+      return "solid";
+    case SolidExtent::Empty:
+      return "empty";
+    case SolidExtent::Everything:
+      break;
+  }
+  return "everything";
+}
+
+Json figures_json(const TreeFigures& figures) {
+  return {{"literals", figures.literals}, {"size", figures.size}, {"proximity", figures.proximity}};
+}
+
+Json equivalence_json(const OptimiseResult& result) {
+  const Equivalence& e = result.equivalence;
+  return {{"cells_compared", result.cells},
+          {"cells_changed", result.changed_cells},
+          {"cells_free_to_change", result.tolerated_cells},
+          {"resolution", result.resolution},
+          {"proved_volume_share", e.proved_share},
+          {"points_compared", e.points},
+          {"points_different", e.different},
+          {"points_different_within_tolerance", e.tolerated},
+          {"largest_distance", e.largest_distance},
+          {"smallest_octree_cell", e.smallest_cell}};
+}
+
+Json report_json(const OptimiseFlags& flags, const OptimiseResult& result, std::uint64_t seed) {
+  Json redundancy = {{"empty", result.redundancy.empty},
+                     {"universal", result.redundancy.universal},
+                     {"decided", result.redundancy.decided},
+                     {"replaced", result.redundancy.replaced},
+                     {"passes", result.redundancy.passes}};
+  Json seconds;
+  double total = 0;
+  for (const StageSeconds& s : result.seconds) {
+    seconds[s.stage] = s.seconds;
+    total += s.seconds;
+  }
+  seconds["total"] = total;
+  return {{"hewn-optimise", 1},
+          {"tree", std::filesystem::path(flags.input).filename().string()},
+          {"seed", seed},
+          {"method", flags.method},
+          {"tolerance", flags.tolerance},
+          {"solid", name_of(result.extent)},
+          {"kept_input", result.is_input},
+          {"rounds", result.rounds},
+          {"before", figures_json(result.before)},
+          {"after", figures_json(result.after)},
+          {"redundancy", std::move(redundancy)},
+          {"equivalence", equivalence_json(result)},
+          {"seconds", std::move(seconds)}};
+}
+
+Result<void> publish(const OptimiseFlags& flags, const OptimiseResult& result,
+                     Environment& environment) {
+  TreeFileOptions options;
+  options.part = std::filesystem::path(flags.input).stem().string();
+  options.extend_tools = false;  // the very same solid
+  const auto content = tree_file(result.tree, flags.output, options, environment.run);
+  if (!content) return content.error();
+  const std::lock_guard lock(environment.interrupt->publishing());
+  if (environment.run.is_cancelled()) return RunContext::cancelled();
+  if (auto done = write_tree_file(*content, flags.output); !done) return done;
+  if (flags.report.empty()) return {};
+  return write_file(flags.report, report_json(flags, result, environment.run.seed).dump(2) + "\n");
+}
+
+void print_summary(const OptimiseFlags& flags, const OptimiseResult& result) {
+  double seconds = 0;
+  for (const StageSeconds& s : result.seconds) seconds += s.seconds;
+  if (result.extent != SolidExtent::Bounded) {
+    fmt::print("the solid is {}\n", name_of(result.extent));
+  }
+  fmt::print(
+      "literals {} -> {}, size {} -> {}, proximity {:.3f} -> {:.3f}; {} cells and {} points agree, "
+      "{:.2f} s -> {}\n",
+      result.before.literals, result.after.literals, result.before.size, result.after.size,
+      result.before.proximity, result.after.proximity, result.cells - result.changed_cells,
+      result.equivalence.points - result.equivalence.tolerated, seconds, flags.output);
+  if (flags.tolerance > 0) {
+    fmt::print("{} cells thinner than {:g} of the diagonal changed\n", result.changed_cells,
+               flags.tolerance);
+  }
+}
+
+ExitCode run_optimise(const OptimiseFlags& flags, Environment& environment) {
+  if (auto known = check_tree_extension(flags.output); !known) {
+    return environment.fail(known.error());
+  }
+  for (const std::string& path : {flags.output, flags.report}) {
+    if (path.empty() || path == "-") continue;
+    if (auto possible = check_output(path); !possible) return environment.fail(possible.error());
+  }
+  const auto tree = read_tree_file(flags.input, environment.run);
+  if (!tree) return environment.fail(with_input(tree.error(), flags.input));
+  OptimiseOptions options;
+  options.method = method_of(flags.method);
+  options.tolerance = flags.tolerance;
+  options.equivalence.points = flags.points;
+  const auto result = optimise(*tree, options, environment.run);
+  if (!result) return environment.fail(with_input(result.error(), flags.input));
+  if (auto done = publish(flags, *result, environment); !done) {
+    return environment.fail(with_input(done.error(), flags.input));
+  }
+  environment.console->clear();
+  if (!environment.flags.is_quiet && flags.output != "-") print_summary(flags, *result);
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_optimise(CLI::App& app, RunFlags& run_flags, Command& chosen) {
+  CLI::App* command =
+      app.add_subcommand("optimise", "Make a tree smaller without changing its solid");
+  const auto flags = std::make_shared<OptimiseFlags>();
+  command->add_option("input", flags->input, "tree (.scad .csg .json)")->required();
+  command
+      ->add_option("-o,--output", flags->output,
+                   "the tree: .scad .json .stl .off .obj .ply .step; - prints the .scad")
+      ->required();
+  command->add_option("--report", flags->report, "sizes, times and proof of equivalence as JSON");
+  command
+      ->add_option("--method", flags->method,
+                   "redundancy: remove what is not needed; rewrite: also rebuild parts [rewrite]")
+      ->check(CLI::IsMember({"redundancy", "rewrite"}));
+  command
+      ->add_option("--tolerance", flags->tolerance,
+                   "features thinner than this share of the diagonal may go or be filled [0]")
+      ->check(CLI::Range(0.0, 0.49));
+  command
+      ->add_option("--points", flags->points,
+                   "fresh points on which both solids are compared [200000]")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000'000}));
+  add_run_flags(*command, run_flags);
+  command->callback([&chosen, flags] {
+    chosen = [flags](Environment& environment) { return run_optimise(*flags, environment); };
+  });
+}
+
+}  // namespace hewn

@@ -1,0 +1,72 @@
+#pragma once
+/// The cells into which a set of literals divides space: every distinct combination of "inside" and
+/// "outside", each with a point that shows it.
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/run_context.h"
+#include "core/compute/bits.h"
+#include "core/csg/literal.h"
+
+namespace hewn {
+
+/// Points with the same signature cannot be told apart by any tree over the literals (canonical
+/// intersection terms, Friedrich et al. 2020, section 3.1.1).
+struct Arrangement {
+  std::vector<Literal> literals;
+  std::size_t stride = 0;  ///< words per signature
+  std::vector<Vec3> points;
+  std::vector<Word> signatures;  ///< bit k: the cell's point is inside literal k
+  double scale = 1;              ///< the length to which tolerances relate
+  /// Cells thinner than this are not told from their neighbours.
+  double resolution = 0;
+
+  std::size_t size() const { return points.size(); }
+  const Word* signature(std::size_t cell) const { return signatures.data() + cell * stride; }
+  bool is_inside(std::size_t cell, int literal) const {
+    return test_bit(signature(cell), static_cast<std::size_t>(literal));
+  }
+};
+
+struct ArrangementOptions {
+  int volume_lines = 3000;    ///< random lines through the literals' common box
+  int lines_per_face = 12;    ///< of each side of a face
+  int curves_per_face = 6;    ///< circles on each side of a round face
+  int crossing_lines = 3000;  ///< along common lines of two planes, beside those on edges
+  std::size_t most_cells = 250'000;
+  std::uint64_t stream = 0;  ///< another one finds the cells by other lines
+};
+
+/// Finds cells along lines: random ones, and ones that run on both sides of every face and edge of
+/// every literal at a distance of `resolution`, where exact crossings tell the cells apart however
+/// thin they are; round faces and rims are followed in circles. Grows over several calls.
+///
+/// Same result for any number of threads.
+class ArrangementSampler {
+ public:
+  /// `scale`: the diagonal of the solid; the resolution is a millionth of it.
+  ArrangementSampler(std::vector<Literal> literals, double scale);
+
+  /// Adds the cells that are found. Returns how many are new. Fails with: Cancelled.
+  /// Cost: O(literals^2) crossings.
+  Result<std::size_t> sample(const ArrangementOptions& options, const RunContext& run);
+
+  /// Adds the cells of the points that are no nearer to any literal's surface than rounding.
+  /// Returns how many are new.
+  std::size_t add(const std::vector<Vec3>& points, const RunContext& run);
+
+  const Arrangement& arrangement() const { return out_; }
+
+ private:
+  bool insert(const Vec3& point, const Word* signature);
+
+  Arrangement out_;
+  std::unordered_multimap<std::uint64_t, std::size_t> by_hash_;  // looked up only, never iterated
+};
+
+/// Which literals hold `p`, into `signature`. False when one of their surfaces is within rounding.
+bool classify(const Arrangement& arrangement, const Vec3& p, Word* signature);
+
+}  // namespace hewn

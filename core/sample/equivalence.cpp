@@ -1,0 +1,298 @@
+#include "core/sample/equivalence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
+#include "core/base/rng.h"
+#include "core/compute/parallel.h"
+#include "core/csg/literal_set.h"
+#include "core/csg/tree_ray.h"
+
+namespace hewn {
+namespace {
+
+/// Variables of a truth table in one word: bit i of variable k is bit k of i.
+constexpr std::array<std::uint64_t, 6> kVariables = {0xAAAAAAAAAAAAAAAAull, 0xCCCCCCCCCCCCCCCCull,
+                                                     0xF0F0F0F0F0F0F0F0ull, 0xFF00FF00FF00FF00ull,
+                                                     0xFFFF0000FFFF0000ull, 0xFFFFFFFF00000000ull};
+constexpr std::size_t kMostVariables = kVariables.size();
+
+constexpr double kUncertain = 1e-9;      ///< share of the scale
+constexpr double kUncertainMesh = 3e-7;  ///< share of a polyhedron's diagonal
+constexpr std::size_t kMostExamples = 1000;
+constexpr std::size_t kMostMeasured = 30;  ///< in each of the 64 parts of the box
+constexpr int kDeepest = 16;
+constexpr int kSplitDepth = 2;  ///< levels above the parallel loop
+
+/// A tree in postfix order over words: one per literal.
+class WordProgram {
+ public:
+  WordProgram(const Tree& tree, const std::vector<int>& literal_of) {
+    if (!tree.is_empty()) append(tree, tree.root, literal_of);
+  }
+
+  std::uint64_t run(const std::vector<std::uint64_t>& literals,
+                    std::vector<std::uint64_t>& stack) const {
+    stack.clear();
+    for (const Step& step : steps_) {
+      if (step.op == Op::Literal) {
+        stack.push_back(step.literal < 0 ? 0 : literals[static_cast<std::size_t>(step.literal)]);
+      } else if (step.op == Op::Complement) {
+        stack.back() = ~stack.back();
+      } else {
+        const std::uint64_t right = stack.back();
+        stack.pop_back();
+        std::uint64_t& left = stack.back();
+        if (step.op == Op::Union) left |= right;
+        if (step.op == Op::Intersection) left &= right;
+        if (step.op == Op::Difference) left &= ~right;
+      }
+    }
+    return stack.empty() ? 0 : stack.back();
+  }
+
+ private:
+  struct Step {
+    Op op;
+    int literal;
+  };
+
+  void append(const Tree& tree, int index, const std::vector<int>& literal_of) {
+    const Node& node = tree.nodes[index];
+    if (node.op == Op::Literal) {
+      steps_.push_back({Op::Literal, literal_of[static_cast<std::size_t>(node.literal)]});
+      return;
+    }
+    if (node.children.empty()) steps_.push_back({Op::Literal, -1});
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+      append(tree, node.children[i], literal_of);
+      if (i > 0) steps_.push_back({node.op, -1});
+    }
+    if (node.op == Op::Complement) steps_.push_back({Op::Complement, -1});
+  }
+
+  std::vector<Step> steps_;
+};
+
+/// A box of the octree with the literals whose surfaces may pass through it.
+struct Cell {
+  Box3 box;
+  std::vector<int> open;
+  std::vector<std::uint64_t> values;  ///< of all literals: 0 or all bits; of open ones 0
+  int depth = 0;
+};
+
+class TreeComparison {
+ public:
+  TreeComparison(const Tree& a, const Tree& b, const EquivalenceOptions& options,
+                 const RunContext& run)
+      : options_(options), run_(run), rays_(a) {
+    LiteralSet set;
+    const std::vector<int> of_a = set.add(a);
+    const std::vector<int> of_b = set.add(b);
+    literals_ = set.literals();
+    program_a_ = std::make_unique<WordProgram>(a, of_a);
+    program_b_ = std::make_unique<WordProgram>(b, of_b);
+    for (const Literal& s : literals_) {
+      const Box3 box = s.bounds();
+      if (box.is_empty()) continue;
+      box_.extend(box.lo);
+      box_.extend(box.hi);
+    }
+    const Box3 solid = a.bounds();
+    scale_ = std::isfinite(solid.diagonal()) && solid.diagonal() > 0 ? solid.diagonal()
+                                                                     : box_.diagonal();
+    if (options.scale > 0) scale_ = options.scale;
+  }
+
+  Result<Equivalence> compare() {
+    Equivalence total;
+    if (box_.is_empty()) {
+      std::vector<std::uint64_t> none;
+      const bool differs = (program_a_->run({}, none) ^ program_b_->run({}, none)) != 0;
+      total.different = differs ? 1 : 0;
+      total.points = 1;
+      total.proved_share = 1;
+      return total;
+    }
+    const Vec3 margin = Vec3::Constant(0.01 * box_.diagonal());
+    box_.lo -= margin;
+    box_.hi += margin;
+    const double finest = options_.smallest_cell * scale_;
+    depth_ = static_cast<int>(std::ceil(std::log2(box_.size().maxCoeff() / finest)));
+    depth_ = std::clamp(depth_, kSplitDepth, kDeepest);
+    std::vector<Cell> cells = first_cells();
+    std::vector<Equivalence> parts(cells.size());
+    for_each_index(run_.threads, cells.size(), [&](std::size_t i) {
+      Worker worker{*this, parts[i], Rng(run_.seed + 31 * options_.stream, i), {}, 0};
+      worker.visit(cells[i]);
+    });
+    if (run_.is_cancelled()) return RunContext::cancelled();
+    for (const Equivalence& p : parts) merge(total, p);
+    total.proved_share /= volume(box_);
+    total.smallest_cell = box_.size().maxCoeff() / std::pow(2.0, depth_);
+    return total;
+  }
+
+ private:
+  static double volume(const Box3& box) { return box.size().prod(); }
+
+  static void merge(Equivalence& total, const Equivalence& part) {
+    total.proved_share += part.proved_share;
+    total.proved_cells += part.proved_cells;
+    total.open_cells += part.open_cells;
+    total.points += part.points;
+    total.different += part.different;
+    total.tolerated += part.tolerated;
+    total.largest_distance = std::max(total.largest_distance, part.largest_distance);
+    for (const Vec3& p : part.examples) {
+      if (total.examples.size() < kMostExamples) total.examples.push_back(p);
+    }
+  }
+
+  std::vector<Cell> first_cells() const {
+    Cell root;
+    root.box = box_;
+    root.values.assign(literals_.size(), 0);
+    for (std::size_t k = 0; k < literals_.size(); ++k) root.open.push_back(static_cast<int>(k));
+    std::vector<Cell> cells = {std::move(root)};
+    for (int level = 0; level < kSplitDepth; ++level) {
+      std::vector<Cell> next;
+      for (const Cell& cell : cells) {
+        for (int k = 0; k < 8; ++k) next.push_back(octant(cell, k));
+      }
+      cells = std::move(next);
+    }
+    return cells;
+  }
+
+  Cell octant(const Cell& parent, int k) const {
+    Cell cell;
+    const Vec3 middle = parent.box.center();
+    for (int i = 0; i < 3; ++i) {
+      const bool is_upper = ((k >> i) & 1) != 0;
+      cell.box.lo[i] = is_upper ? middle[i] : parent.box.lo[i];
+      cell.box.hi[i] = is_upper ? parent.box.hi[i] : middle[i];
+    }
+    cell.depth = parent.depth + 1;
+    cell.values = parent.values;
+    const double radius = cell.box.diagonal() / 2 * (1 + 1e-9) + kUncertain * scale_;
+    const Vec3 center = cell.box.center();
+    for (const int literal : parent.open) {
+      const double d = literals_[static_cast<std::size_t>(literal)].signed_distance(center);
+      if (std::abs(d) <= radius + mesh_margin(literal)) {
+        cell.open.push_back(literal);
+      } else {
+        cell.values[static_cast<std::size_t>(literal)] = d < 0 ? ~std::uint64_t{0} : 0;
+      }
+    }
+    return cell;
+  }
+
+  double mesh_margin(int literal) const {
+    const Literal& s = literals_[static_cast<std::size_t>(literal)];
+    return s.polyhedron ? kUncertainMesh * s.polyhedron->diagonal() : 0;
+  }
+
+  /// Walks one part of the octree.
+  struct Worker {
+    const TreeComparison& all;
+    Equivalence& out;
+    Rng rng;
+    std::vector<std::uint64_t> stack;
+    double owed;  ///< points that smaller cells were too small for
+
+    bool is_proved(Cell& cell) {
+      if (cell.open.size() > kMostVariables) return false;
+      for (std::size_t i = 0; i < cell.open.size(); ++i) {
+        cell.values[static_cast<std::size_t>(cell.open[i])] = kVariables[i];
+      }
+      const bool same =
+          all.program_a_->run(cell.values, stack) == all.program_b_->run(cell.values, stack);
+      for (const int literal : cell.open) cell.values[static_cast<std::size_t>(literal)] = 0;
+      return same;
+    }
+
+    void visit(Cell& cell) {
+      if (all.run_.is_cancelled()) return;
+      const bool proved = is_proved(cell);
+      if (!proved && cell.depth < all.depth_) {
+        for (int k = 0; k < 8; ++k) {
+          Cell child = all.octant(cell, k);
+          visit(child);
+        }
+        return;
+      }
+      if (proved) {
+        ++out.proved_cells;
+        out.proved_share += volume(cell.box);
+      } else {
+        ++out.open_cells;
+        for (int i = 0; i < all.options_.points_per_open_cell; ++i) test_point(cell);
+      }
+      owed += static_cast<double>(all.options_.points) * volume(cell.box) / volume(all.box_);
+      for (; owed >= 1; owed -= 1) test_point(cell);
+    }
+
+    void test_point(Cell& cell) {
+      Vec3 p;
+      for (int k = 0; k < 3; ++k) p[k] = rng.uniform(cell.box.lo[k], cell.box.hi[k]);
+      for (const int literal : cell.open) {
+        const double d = all.literals_[static_cast<std::size_t>(literal)].signed_distance(p);
+        if (std::abs(d) < kUncertain * all.scale_ + all.mesh_margin(literal)) return;
+        cell.values[static_cast<std::size_t>(literal)] = d < 0 ? ~std::uint64_t{0} : 0;
+      }
+      ++out.points;
+      const bool in_a = (all.program_a_->run(cell.values, stack) & 1) != 0;
+      const bool in_b = (all.program_b_->run(cell.values, stack) & 1) != 0;
+      if (in_a == in_b) return;
+      const double allowed = all.options_.allowed_distance;
+      const bool is_measured = out.different + out.tolerated < kMostMeasured;
+      const double d = distance_along_rays(all.rays_, p, is_measured ? 0 : allowed);
+      out.largest_distance = std::max(out.largest_distance, d);
+      if (d <= allowed) {
+        ++out.tolerated;
+        return;
+      }
+      ++out.different;
+      if (out.examples.size() < kMostExamples) out.examples.push_back(p);
+    }
+  };
+
+  const EquivalenceOptions& options_;
+  const RunContext& run_;
+  TreeRays rays_;
+  std::vector<Literal> literals_;
+  std::unique_ptr<WordProgram> program_a_, program_b_;
+  Box3 box_;
+  double scale_ = 1;
+  int depth_ = kSplitDepth;
+};
+
+}  // namespace
+
+double distance_along_rays(const TreeRays& rays, const Vec3& p, double enough) {
+  TreeRayScratch scratch;
+  double nearest = kInfinity;
+  for (int k = 0; k < 27; ++k) {
+    const Vec3 d(k % 3 - 1, (k / 3) % 3 - 1, k / 9 - 1);
+    if (d.squaredNorm() == 0) continue;
+    const auto& stretches = rays.cast(p, d.normalized(), scratch);
+    if (stretches.empty()) continue;
+    const TreeInterval& first = stretches.front();
+    const double t = first.enter.t > 0 ? first.enter.t : first.leave.t;
+    nearest = std::min(nearest, t);
+    if (nearest <= enough) break;
+  }
+  return nearest;
+}
+
+Result<Equivalence> compare_trees(const Tree& a, const Tree& b, const EquivalenceOptions& options,
+                                  const RunContext& run) {
+  return TreeComparison(a, b, options, run).compare();
+}
+
+}  // namespace hewn

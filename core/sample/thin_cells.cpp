@@ -1,0 +1,67 @@
+#include "core/sample/thin_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/rng.h"
+#include "core/compute/parallel.h"
+#include "core/csg/tree_ray.h"
+#include "core/sample/equivalence.h"
+
+namespace hewn {
+namespace {
+
+constexpr int kHops = 4;
+
+/// Moves a point towards the middle of its cell along a random line.
+Vec3 hop(const TreeRays& literals, const Vec3& p, double scale, Rng& rng) {
+  Vec3 d;
+  for (int k = 0; k < 3; ++k) d[k] = rng.uniform(-1, 1);
+  if (d.squaredNorm() < 1e-6) return p;
+  d.normalize();
+  const double reach = 2 * scale;
+  double before = 0;
+  double after = 2 * reach;
+  std::vector<TreeInterval> stretches;
+  const int count = static_cast<int>(literals.tree().literals.size());
+  for (int k = 0; k < count; ++k) {
+    literals.cast_literal(k, p - reach * d, d, stretches);
+    for (const TreeInterval& s : stretches) {
+      for (const double t : {s.enter.t, s.leave.t}) {
+        if (t <= reach) before = std::max(before, t);
+        if (t > reach) after = std::min(after, t);
+      }
+    }
+  }
+  return p + ((before + after) / 2 - reach) * d;
+}
+
+}  // namespace
+
+std::vector<char> find_thin_cells(const Tree& tree, const Arrangement& arrangement,
+                                  std::size_t first, double depth, const RunContext& run) {
+  std::vector<char> is_thin(arrangement.size() - first, 0);
+  const TreeRays rays(tree);
+  Tree all;
+  all.literals = arrangement.literals;
+  const TreeRays literals(all);
+  const auto is_deep = [&](const Vec3& p) {
+    // The tree's distance never exceeds the true one.
+    return std::abs(tree.signed_distance(p)) > depth || distance_along_rays(rays, p, depth) > depth;
+  };
+  for_each_chunk(run.threads, is_thin.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !run.is_cancelled(); ++i) {
+      Rng rng(run.seed, first + i);
+      Vec3 p = arrangement.points[first + i];
+      bool found_deep = is_deep(p);
+      for (int k = 0; k < kHops && !found_deep; ++k) {
+        p = hop(literals, p, arrangement.scale, rng);
+        found_deep = is_deep(p);
+      }
+      is_thin[i] = found_deep ? 0 : 1;
+    }
+  });
+  return is_thin;
+}
+
+}  // namespace hewn

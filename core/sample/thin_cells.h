@@ -1,0 +1,15 @@
+#pragma once
+/// Cells that are nothing but skin: all of their points lie next to the solid's surface.
+#include "core/base/run_context.h"
+#include "core/csg/tree.h"
+#include "core/sample/arrangement.h"
+
+namespace hewn {
+
+/// For cells `first` and later: whether no point was found further than `depth` from the surface of
+/// `tree`. Looks at the cell's point and at the middles of a few lines through it.
+/// Cost: O(cells x literals).
+std::vector<char> find_thin_cells(const Tree& tree, const Arrangement& arrangement,
+                                  std::size_t first, double depth, const RunContext& run);
+
+}  // namespace hewn

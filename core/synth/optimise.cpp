@@ -1,0 +1,234 @@
+#include "core/synth/optimise.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/csg/literal_set.h"
+#include "core/sample/thin_cells.h"
+
+namespace hewn {
+namespace {
+
+/// Adds the time since its construction to a stage.
+class StageTimer {
+ public:
+  StageTimer(std::vector<StageSeconds>& all, const char* stage) : all_(all), stage_(stage) {}
+  ~StageTimer() {
+    const std::chrono::duration<double> span = std::chrono::steady_clock::now() - start_;
+    for (StageSeconds& s : all_) {
+      if (s.stage != stage_) continue;
+      s.seconds += span.count();
+      return;
+    }
+    all_.push_back({stage_, span.count()});
+  }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  std::vector<StageSeconds>& all_;
+  const char* stage_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// The diagonal of the solid's cells, 0 when no cell is inside. Boxes of trees with redundant parts
+/// can be far larger than their solids.
+double diagonal_of_inside(const Arrangement& arrangement, const Column& inside) {
+  Box3 box;
+  for_each_bit(inside, [&](std::size_t c) {
+    if (c < arrangement.size()) box.extend(arrangement.points[c]);
+  });
+  return box.diagonal();
+}
+
+double scale_of(const Tree& tree) {
+  const double diagonal = tree.bounds().diagonal();
+  if (std::isfinite(diagonal) && diagonal > 0) return diagonal;
+  Box3 box;
+  for (const Literal& s : tree.literals) {
+    const Box3 b = s.bounds();
+    if (b.is_empty()) continue;
+    box.extend(b.lo);
+    box.extend(b.hi);
+  }
+  return box.diagonal() > 0 ? box.diagonal() : 1;
+}
+
+/// Many literals see each other's cells, so that each needs fewer lines.
+ArrangementOptions lines_for(ArrangementOptions options, std::size_t literals) {
+  constexpr double kFew = 60;
+  const double share =
+      std::min(1.0, kFew / static_cast<double>(std::max<std::size_t>(1, literals)));
+  options.lines_per_face = std::max(3, static_cast<int>(options.lines_per_face * share));
+  options.curves_per_face = std::max(2, static_cast<int>(options.curves_per_face * share));
+  return options;
+}
+
+/// Fresh lines see fewer cells than the first ones, but other ones.
+ArrangementOptions fresh_lines(ArrangementOptions options, int round) {
+  options.stream = static_cast<std::uint64_t>(round) + 1;
+  options.lines_per_face = options.lines_per_face / 2 + 1;
+  options.curves_per_face = options.curves_per_face / 2 + 1;
+  return options;
+}
+
+class Optimiser {
+ public:
+  Optimiser(const Tree& tree, const OptimiseOptions& options, const RunContext& run)
+      : input_(tree),
+        options_(options),
+        run_(run),
+        literal_of_(set_.add(tree)),
+        lines_(lines_for(options.arrangement, set_.literals().size())),
+        sampler_(set_.literals(), scale_of(tree)) {}
+
+  Result<OptimiseResult> work() {
+    {
+      StageTimer timer(out_.seconds, "cells");
+      run_.report("cells", 0);
+      if (auto done = find_cells(); !done) return done.error();
+    }
+    for (int round = 0; round < options_.rounds; ++round) {
+      out_.rounds = round + 1;
+      CellColumns cells(sampler_.arrangement());
+      const Formula found = search(cells);
+      if (run_.is_cancelled()) return RunContext::cancelled();
+      auto good = check(found, round);
+      if (!good) return good.error();
+      if (*good) return finish(found);
+      run_.info(fmt::format("round {}: the tree found differs on cells unseen before", round + 1));
+    }
+    run_.warn("nothing smaller could be proved to be the same solid; the tree is kept as it is");
+    out_.is_input = true;
+    return finish(formula_of(input_, literal_of_));
+  }
+
+ private:
+  Formula input_formula() const { return formula_of(input_, literal_of_); }
+
+  Result<void> find_cells() {
+    if (auto done = sampler_.sample(lines_, run_); !done) return done.error();
+    const CellColumns cells(sampler_.arrangement());
+    Formula wanted = input_formula();
+    const double diagonal = diagonal_of_inside(sampler_.arrangement(), evaluate(wanted, cells));
+    // The cells' points are well inside; a box of twice their size is not far too large.
+    if (diagonal <= 0 || 2 * diagonal > sampler_.arrangement().scale) return {};
+    sampler_ = ArrangementSampler(set_.literals(), 1.5 * diagonal);
+    if (auto done = sampler_.sample(lines_, run_); !done) return done.error();
+    return {};
+  }
+
+  /// The cells that must keep their value.
+  Column care(const CellColumns& cells) {
+    Column care = cells.all();
+    if (options_.tolerance <= 0) return care;
+    StageTimer timer(out_.seconds, "thin");
+    const Arrangement& a = sampler_.arrangement();
+    const double depth = options_.tolerance * a.scale / 2;
+    const auto more = find_thin_cells(input_, a, is_thin_.size(), depth, run_);
+    is_thin_.insert(is_thin_.end(), more.begin(), more.end());
+    for (std::size_t c = 0; c < is_thin_.size(); ++c) {
+      if (is_thin_[c]) care[c / 64] &= ~(Word{1} << (c % 64));
+    }
+    return care;
+  }
+
+  Formula search(const CellColumns& cells) {
+    const Column cared = care(cells);
+    out_.redundancy = {};
+    Formula f;
+    {
+      StageTimer timer(out_.seconds, "redundancy");
+      f = without_redundancy(input_formula(), cells, cared, run_, &out_.redundancy);
+    }
+    if (options_.method == OptimiseMethod::Redundancy) return f;
+    {
+      StageTimer timer(out_.seconds, "search");
+      f = rewrite_search(std::move(f), cells, cared, options_.rewrite, run_);
+    }
+    StageTimer timer(out_.seconds, "redundancy");
+    return without_redundancy(std::move(f), cells, cared, run_);
+  }
+
+  /// Whether `found` holds on cells and points that the search has not seen. Those where it does
+  /// not join the cells.
+  Result<bool> check(const Formula& found, int round) {
+    {
+      StageTimer timer(out_.seconds, "cells");
+      run_.report("check", 0);
+      auto fresh = sampler_.sample(fresh_lines(lines_, round), run_);
+      if (!fresh) return fresh.error();
+    }
+    CellColumns cells(sampler_.arrangement());
+    const Column cared = care(cells);
+    Formula wanted = input_formula();
+    evaluate(wanted, cells);
+    Formula value = found;
+    evaluate(value, cells);
+    if (count_differences(wanted.value, value.value, cared) > 0) return false;
+    StageTimer timer(out_.seconds, "proof");
+    EquivalenceOptions options = options_.equivalence;
+    options.stream = static_cast<std::uint64_t>(round) + 1;
+    options.scale = sampler_.arrangement().scale;
+    options.allowed_distance = options_.tolerance * sampler_.arrangement().scale / 2;
+    const Tree tree = to_tree(found, set_.literals(), cells);
+    auto compared = compare_trees(input_, tree, options, run_);
+    if (!compared) return compared.error();
+    out_.equivalence = std::move(*compared);
+    if (out_.equivalence.is_same()) return true;
+    sampler_.add(out_.equivalence.examples, run_);
+    return false;
+  }
+
+  Result<OptimiseResult> finish(const Formula& found) {
+    const CellColumns cells(sampler_.arrangement());
+    out_.cells = cells.cells();
+    out_.resolution = sampler_.arrangement().resolution;
+    out_.before = {literal_count(input_), tree_size(input_),
+                   tree_proximity(input_, literal_of_, cells)};
+    out_.tree = out_.is_input ? input_ : to_tree(found, set_.literals(), cells);
+    if (found.is_constant()) {
+      out_.extent = found.is_negated ? SolidExtent::Everything : SolidExtent::Empty;
+    }
+    out_.after = out_.before;
+    if (!out_.is_input) {
+      out_.after = {leaf_count(found), formula_size(found), formula_proximity(found, cells)};
+    }
+    Formula wanted = input_formula();
+    evaluate(wanted, cells);
+    Formula value = found;
+    evaluate(value, cells);
+    out_.changed_cells = count_differences(wanted.value, value.value, cells.all());
+    for (const char thin : is_thin_) out_.tolerated_cells += thin ? 1 : 0;
+    return std::move(out_);
+  }
+
+  const Tree& input_;
+  const OptimiseOptions& options_;
+  const RunContext& run_;
+  LiteralSet set_;
+  std::vector<int> literal_of_;
+  ArrangementOptions lines_;
+  ArrangementSampler sampler_;
+  std::vector<char> is_thin_;  ///< by cell, as far as looked at
+  OptimiseResult out_;
+};
+
+}  // namespace
+
+Result<OptimiseResult> optimise(const Tree& tree, const OptimiseOptions& options,
+                                const RunContext& run) {
+  if (!(options.tolerance >= 0 && options.tolerance < 0.5)) {
+    return Error{ErrorCode::InvalidArgument,
+                 fmt::format("a tolerance of {} makes no sense; give a share of the diagonal below "
+                             "0.5",
+                             options.tolerance)};
+  }
+  return Optimiser(tree, options, run).work();
+}
+
+}  // namespace hewn

@@ -1,0 +1,67 @@
+#pragma once
+/// The whole pipeline that makes a tree small: cells, redundancy removal, search, proof
+/// (Friedrich et al. 2020, figure 1).
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/run_context.h"
+#include "core/csg/tree.h"
+#include "core/sample/arrangement.h"
+#include "core/sample/equivalence.h"
+#include "core/synth/simplify/redundancy.h"
+#include "core/synth/simplify/rewrite_search.h"
+
+namespace hewn {
+
+enum class OptimiseMethod {
+  Redundancy,  ///< redundancy removal only
+  Rewrite,     ///< large neighbourhood search over the whole tree
+};
+
+struct OptimiseOptions {
+  OptimiseMethod method = OptimiseMethod::Rewrite;
+  /// Features thinner than this share of the solid's diagonal may go or be filled; 0: none may.
+  double tolerance = 0;
+  int rounds = 6;  ///< of search and check; counterexamples join the cells between them
+  ArrangementOptions arrangement = {};
+  EquivalenceOptions equivalence = {};
+  RewriteOptions rewrite = {};
+};
+
+struct TreeFigures {
+  int literals = 0;
+  int size = 0;
+  double proximity = 1;
+};
+
+struct StageSeconds {
+  std::string stage;
+  double seconds = 0;
+};
+
+enum class SolidExtent { Bounded, Empty, Everything };
+
+struct OptimiseResult {
+  Tree tree;
+  SolidExtent extent = SolidExtent::Bounded;
+  TreeFigures before, after;
+  std::size_t cells = 0;            ///< different ones that were compared
+  std::size_t tolerated_cells = 0;  ///< of them, thin ones that were free to change
+  std::size_t changed_cells = 0;    ///< of them, those that did
+  double resolution = 0;            ///< cells thinner than this are not told apart; model units
+  int rounds = 0;
+  bool is_input = false;  ///< nothing smaller could be proved: the input itself
+  RedundancyCounts redundancy;
+  Equivalence equivalence;
+  std::vector<StageSeconds> seconds;
+};
+
+/// A tree of the same solid with no more literals. It agrees with the input on every cell of the
+/// literals' arrangement and on fresh points, or it is the input.
+/// Fails with: Cancelled, InvalidArgument (an option out of range).
+/// Deterministic for `run.seed`, for any number of threads.
+Result<OptimiseResult> optimise(const Tree& tree, const OptimiseOptions& options,
+                                const RunContext& run);
+
+}  // namespace hewn
