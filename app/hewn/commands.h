@@ -43,6 +43,7 @@ void add_compare(CLI::App& app, RunFlags& flags, Command& chosen);
 void add_export(CLI::App& app, RunFlags& flags, Command& chosen);
 void add_replay(CLI::App& app, RunFlags& flags, Command& chosen);
 void add_optimise(CLI::App& app, RunFlags& flags, Command& chosen);
+void add_inflate(CLI::App& app, RunFlags& flags, Command& chosen);
 void add_options(CLI::App& app, RunFlags& flags, Command& chosen);
 
 }  // namespace hewn

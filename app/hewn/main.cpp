@@ -80,6 +80,7 @@ int main(int argc, char** argv) {
   hewn::add_export(app, flags, chosen);
   hewn::add_replay(app, flags, chosen);
   hewn::add_optimise(app, flags, chosen);
+  hewn::add_inflate(app, flags, chosen);
   hewn::add_options(app, flags, chosen);
   try {
     app.parse(argc, argv);

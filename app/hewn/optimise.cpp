@@ -19,6 +19,8 @@ using Json = nlohmann::ordered_json;
 struct OptimiseFlags {
   std::string input, output, report, method = "rewrite";
   double tolerance = 0;
+  int effort = 1;
+  bool keeps_primitives = false;
   std::size_t points = EquivalenceOptions{}.points;
 };
 
@@ -80,6 +82,8 @@ Json report_json(const OptimiseFlags& flags, const OptimiseResult& result, std::
           {"seed", seed},
           {"method", flags.method},
           {"tolerance", flags.tolerance},
+          {"effort", flags.effort},
+          {"keep_primitives", flags.keeps_primitives},
           {"solid", name_of(result.extent)},
           {"kept_input", result.is_input},
           {"rounds", result.rounds},
@@ -135,6 +139,8 @@ ExitCode run_optimise(const OptimiseFlags& flags, Environment& environment) {
   OptimiseOptions options;
   options.method = method_of(flags.method);
   options.tolerance = flags.tolerance;
+  options.effort = flags.effort;
+  options.derives_primitives = !flags.keeps_primitives;
   options.equivalence.points = flags.points;
   const auto result = optimise(*tree, options, environment.run);
   if (!result) return environment.fail(with_input(result.error(), flags.input));

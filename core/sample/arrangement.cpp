@@ -240,6 +240,8 @@ std::size_t ArrangementSampler::add(const std::vector<Vec3>& points, const RunCo
 
 Result<std::size_t> ArrangementSampler::sample(const ArrangementOptions& options,
                                                const RunContext& run) {
+  if (run.is_cancelled()) return RunContext::cancelled();
+  if (out_.literals.empty()) return add({Vec3::Zero()}, run);
   Tree tree;
   tree.literals = out_.literals;
   const TreeRays rays(tree);

@@ -9,6 +9,7 @@
 
 #include "core/csg/literal_set.h"
 #include "core/sample/thin_cells.h"
+#include "core/synth/simplify/derived_literals.h"
 
 namespace hewn {
 namespace {
@@ -95,6 +96,7 @@ class Optimiser {
     for (int round = 0; round < options_.rounds; ++round) {
       out_.rounds = round + 1;
       CellColumns cells(sampler_.arrangement());
+      derive(cells);
       const Formula found = search(cells);
       if (run_.is_cancelled()) return RunContext::cancelled();
       auto good = check(found, round);
@@ -120,6 +122,30 @@ class Optimiser {
     sampler_ = ArrangementSampler(set_.literals(), 1.5 * diagonal);
     if (auto done = sampler_.sample(lines_, run_); !done) return done.error();
     return {};
+  }
+
+  /// Finds the primitives that stand for several; they are the columns behind the input's.
+  void derive(CellColumns& cells) {
+    derived_.clear();
+    if (!options_.derives_primitives) return;
+    StageTimer timer(out_.seconds, "derive");
+    Formula wanted = input_formula();
+    evaluate(wanted, cells);
+    const std::size_t most = std::min<std::size_t>(400, 100 + 2 * set_.literals().size());
+    derived_ = derive_literals(set_.literals(), cells, wanted.value, most);
+    add_derived(cells);
+  }
+
+  void add_derived(CellColumns& cells) const {
+    std::vector<Column> columns;
+    for (const DerivedLiteral& d : derived_) columns.push_back(column_of(d, cells));
+    for (Column& c : columns) cells.add(std::move(c));
+  }
+
+  std::vector<Literal> all_literals() const {
+    std::vector<Literal> all = set_.literals();
+    for (const DerivedLiteral& d : derived_) all.push_back(d.solid);
+    return all;
   }
 
   /// The cells that must keep their value.
@@ -148,7 +174,11 @@ class Optimiser {
     if (options_.method == OptimiseMethod::Redundancy) return f;
     {
       StageTimer timer(out_.seconds, "search");
-      f = rewrite_search(std::move(f), cells, cared, options_.rewrite, run_);
+      RewriteOptions rewrite = options_.rewrite;
+      rewrite.steps_per_literal *= options_.effort;
+      rewrite.most_steps *= options_.effort;
+      rewrite.most_work *= options_.effort;
+      f = rewrite_search(std::move(f), cells, cared, rewrite, run_);
     }
     StageTimer timer(out_.seconds, "redundancy");
     return without_redundancy(std::move(f), cells, cared, run_);
@@ -164,6 +194,7 @@ class Optimiser {
       if (!fresh) return fresh.error();
     }
     CellColumns cells(sampler_.arrangement());
+    add_derived(cells);
     const Column cared = care(cells);
     Formula wanted = input_formula();
     evaluate(wanted, cells);
@@ -175,7 +206,7 @@ class Optimiser {
     options.stream = static_cast<std::uint64_t>(round) + 1;
     options.scale = sampler_.arrangement().scale;
     options.allowed_distance = options_.tolerance * sampler_.arrangement().scale / 2;
-    const Tree tree = to_tree(found, set_.literals(), cells);
+    const Tree tree = to_tree(found, all_literals(), cells);
     auto compared = compare_trees(input_, tree, options, run_);
     if (!compared) return compared.error();
     out_.equivalence = std::move(*compared);
@@ -185,12 +216,13 @@ class Optimiser {
   }
 
   Result<OptimiseResult> finish(const Formula& found) {
-    const CellColumns cells(sampler_.arrangement());
+    CellColumns cells(sampler_.arrangement());
+    add_derived(cells);
     out_.cells = cells.cells();
     out_.resolution = sampler_.arrangement().resolution;
     out_.before = {literal_count(input_), tree_size(input_),
                    tree_proximity(input_, literal_of_, cells)};
-    out_.tree = out_.is_input ? input_ : to_tree(found, set_.literals(), cells);
+    out_.tree = out_.is_input ? input_ : to_tree(found, all_literals(), cells);
     if (found.is_constant()) {
       out_.extent = found.is_negated ? SolidExtent::Everything : SolidExtent::Empty;
     }
@@ -214,6 +246,7 @@ class Optimiser {
   std::vector<int> literal_of_;
   ArrangementOptions lines_;
   ArrangementSampler sampler_;
+  std::vector<DerivedLiteral> derived_;
   std::vector<char> is_thin_;  ///< by cell, as far as looked at
   OptimiseResult out_;
 };

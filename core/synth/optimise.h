@@ -23,6 +23,10 @@ struct OptimiseOptions {
   OptimiseMethod method = OptimiseMethod::Rewrite;
   /// Features thinner than this share of the solid's diagonal may go or be filled; 0: none may.
   double tolerance = 0;
+  /// Also use primitives that stand for several of the input's: two aligned boxes that meet in a
+  /// box, a cylinder that a box cuts short.
+  bool derives_primitives = true;
+  int effort = 1;  ///< of the search: steps in units of the default
   int rounds = 6;  ///< of search and check; counterexamples join the cells between them
   ArrangementOptions arrangement = {};
   EquivalenceOptions equivalence = {};

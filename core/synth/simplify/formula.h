@@ -2,6 +2,7 @@
 /// Trees as Boolean formulas over the cells of an arrangement: the form in which all optimisation
 /// methods work.
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/compute/bits.h"
@@ -19,6 +20,9 @@ class CellColumns {
   explicit CellColumns(const Arrangement& arrangement);
   /// Cells given by the literals' columns themselves, for tests.
   CellColumns(std::size_t cells, std::vector<Column> columns);
+
+  /// Appends a column; it becomes the literal with the next index.
+  void add(Column column) { columns_.push_back(std::move(column)); }
 
   std::size_t cells() const { return cells_; }
   std::size_t words() const { return all_.size(); }

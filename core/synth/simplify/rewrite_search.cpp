@@ -18,6 +18,18 @@ struct Window {
   std::vector<std::size_t> operands;  ///< ascending
 };
 
+bool uses_literal(const Formula& f, int literal) {
+  if (f.kind == Kind::Leaf) return f.literal == literal;
+  return std::any_of(f.children.begin(), f.children.end(),
+                     [&](const Formula& child) { return uses_literal(child, literal); });
+}
+
+bool share_literal(const Formula& a, const Formula& b) {
+  if (a.kind == Kind::Leaf) return uses_literal(b, a.literal);
+  return std::any_of(a.children.begin(), a.children.end(),
+                     [&](const Formula& child) { return share_literal(child, b); });
+}
+
 class RewriteSearch {
  public:
   RewriteSearch(const CellColumns& cells, const Column& care, const RewriteOptions& options,
@@ -114,6 +126,14 @@ class RewriteSearch {
     const bool takes_all = leaf_count(node) <= options_.largest_window && rng_.coin();
     if (!takes_all && order.size() > 2) {
       rng_.shuffle(order);
+      if (rng_.below(4) != 0) {
+        // Operands that have nothing to do with each other can hardly be joined.
+        const Formula& anchor = node.children[order[0]];
+        std::stable_partition(order.begin() + 1, order.end(), [&](std::size_t k) {
+          return intersects(node.children[k].value, anchor.value) ||
+                 share_literal(node.children[k], anchor);
+        });
+      }
       std::size_t wanted = rng_.below(4);
       wanted += 2;
       order.resize(std::min(wanted, order.size()));

@@ -88,6 +88,15 @@ TEST_CASE("what the authors' program gets wrong") {
   CHECK(optimised(two(Op::Intersection, a, ball(1))).after.size == 3);
 }
 
+TEST_CASE("a tree without literals stays as it is") {
+  const OptimiseResult none = optimised(Tree{});
+  CHECK(none.extent == SolidExtent::Empty);
+  CHECK(none.after.size == 0);
+  Tree everything;
+  everything.root = everything.add_node(Op::Complement, {everything.add_node(Op::Union, {})});
+  CHECK(optimised(everything).extent == SolidExtent::Everything);
+}
+
 TEST_CASE("an unbounded solid is everything or keeps its complement") {
   Tree tree;
   const int a = tree.add_literal(ball(1));
