@@ -172,6 +172,10 @@ void add_optimise(CLI::App& app, RunFlags& run_flags, Command& chosen) {
       ->add_option("--tolerance", flags->tolerance,
                    "features thinner than this share of the diagonal may go or be filled [0]")
       ->check(CLI::Range(0.0, 0.49));
+  command->add_option("--effort", flags->effort, "how long to search, in units of the default [1]")
+      ->check(CLI::Range(1, 1000));
+  command->add_flag("--keep-primitives", flags->keeps_primitives,
+                    "use the input's primitives only; none that stands for several");
   command
       ->add_option("--points", flags->points,
                    "fresh points on which both solids are compared [200000]")

@@ -211,16 +211,27 @@ ArrangementSampler::ArrangementSampler(std::vector<Literal> literals, double sca
   out_.resolution = kResolution * scale;
 }
 
-bool ArrangementSampler::insert(const Vec3& point, const Word* signature) {
-  const std::uint64_t hash = hash_words({signature, out_.stride});
-  const auto [begin, end] = by_hash_.equal_range(hash);
+std::size_t ArrangementSampler::find(const Word* signature) const {
+  const auto [begin, end] = by_hash_.equal_range(hash_words({signature, out_.stride}));
   for (auto it = begin; it != end; ++it) {
-    if (std::equal(signature, signature + out_.stride, out_.signature(it->second))) return false;
+    if (std::equal(signature, signature + out_.stride, out_.signature(it->second))) {
+      return it->second;
+    }
   }
-  by_hash_.emplace(hash, out_.size());
+  return out_.size();
+}
+
+bool ArrangementSampler::insert(const Vec3& point, const Word* signature) {
+  if (find(signature) < out_.size()) return false;
+  by_hash_.emplace(hash_words({signature, out_.stride}), out_.size());
   out_.points.push_back(point);
   out_.signatures.insert(out_.signatures.end(), signature, signature + out_.stride);
   return true;
+}
+
+std::size_t ArrangementSampler::cell_of(const Vec3& p) const {
+  std::vector<Word> signature(out_.stride);
+  return classify(out_, p, signature.data()) ? find(signature.data()) : out_.size();
 }
 
 std::size_t ArrangementSampler::add(const std::vector<Vec3>& points, const RunContext& run) {

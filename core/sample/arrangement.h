@@ -57,9 +57,13 @@ class ArrangementSampler {
   /// Returns how many are new.
   std::size_t add(const std::vector<Vec3>& points, const RunContext& run);
 
+  /// The cell that holds `p`, or the number of cells when it is not known.
+  std::size_t cell_of(const Vec3& p) const;
+
   const Arrangement& arrangement() const { return out_; }
 
  private:
+  std::size_t find(const Word* signature) const;
   bool insert(const Vec3& point, const Word* signature);
 
   Arrangement out_;

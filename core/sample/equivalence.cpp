@@ -25,6 +25,9 @@ constexpr double kUncertainMesh = 3e-7;  ///< share of a polyhedron's diagonal
 constexpr std::size_t kMostExamples = 1000;
 constexpr std::size_t kMostMeasured = 30;  ///< in each of the 64 parts of the box
 constexpr int kDeepest = 16;
+/// In one part; more would add nothing but time.
+constexpr std::size_t kEnoughDifferent = 100;
+constexpr std::size_t kParts = 64;
 constexpr int kSplitDepth = 2;  ///< levels above the parallel loop
 
 /// A tree in postfix order over words: one per literal.
@@ -127,7 +130,7 @@ class TreeComparison {
     std::vector<Cell> cells = first_cells();
     std::vector<Equivalence> parts(cells.size());
     for_each_index(run_.threads, cells.size(), [&](std::size_t i) {
-      Worker worker{*this, parts[i], Rng(run_.seed + 31 * options_.stream, i), {}, 0};
+      Worker worker{*this, parts[i], Rng(run_.seed + 31 * options_.stream, i), {}, 0, 0};
       worker.visit(cells[i]);
     });
     if (run_.is_cancelled()) return RunContext::cancelled();
@@ -203,6 +206,7 @@ class TreeComparison {
     Equivalence& out;
     Rng rng;
     std::vector<std::uint64_t> stack;
+    std::size_t visited;
     double owed;  ///< points that smaller cells were too small for
 
     bool is_proved(Cell& cell) {
@@ -217,9 +221,10 @@ class TreeComparison {
     }
 
     void visit(Cell& cell) {
-      if (all.run_.is_cancelled()) return;
+      if (all.run_.is_cancelled() || out.different >= kEnoughDifferent) return;
+      ++visited;
       const bool proved = is_proved(cell);
-      if (!proved && cell.depth < all.depth_) {
+      if (!proved && cell.depth < all.depth_ && visited < all.options_.most_cells / kParts) {
         for (int k = 0; k < 8; ++k) {
           Cell child = all.octant(cell, k);
           visit(child);

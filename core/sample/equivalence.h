@@ -11,11 +11,12 @@
 namespace hewn {
 
 struct EquivalenceOptions {
-  std::size_t points = 200'000;     ///< fresh random points in the box of all literals
-  double smallest_cell = 1.0 / 64;  ///< of the octree, share of the scale
-  double scale = 0;                 ///< the solid's diagonal; 0: taken from the box of `a`
-  int points_per_open_cell = 8;     ///< in smallest cells that are not proved
-  std::uint64_t stream = 1;         ///< another one draws other points
+  std::size_t points = 200'000;      ///< fresh random points in the box of all literals
+  double smallest_cell = 1.0 / 64;   ///< of the octree, share of the scale
+  double scale = 0;                  ///< the solid's diagonal; 0: taken from the box of `a`
+  std::size_t most_cells = 200'000;  ///< of the octree; what is then not proved is left to points
+  int points_per_open_cell = 4;      ///< in smallest cells that are not proved
+  std::uint64_t stream = 1;          ///< another one draws other points
   /// Points that differ but lie this near to the surface of `a` are tolerated (model units).
   double allowed_distance = 0;
 };

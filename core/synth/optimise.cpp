@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -158,6 +159,7 @@ class Optimiser {
     const auto more = find_thin_cells(input_, a, is_thin_.size(), depth, run_);
     is_thin_.insert(is_thin_.end(), more.begin(), more.end());
     for (std::size_t c = 0; c < is_thin_.size(); ++c) {
+      if (is_thick_.count(c) > 0) is_thin_[c] = 0;
       if (is_thin_[c]) care[c / 64] &= ~(Word{1} << (c % 64));
     }
     return care;
@@ -212,6 +214,11 @@ class Optimiser {
     out_.equivalence = std::move(*compared);
     if (out_.equivalence.is_same()) return true;
     sampler_.add(out_.equivalence.examples, run_);
+    // Cells taken for thin in which a point lies deep after all.
+    for (const Vec3& p : out_.equivalence.examples) {
+      const std::size_t c = sampler_.cell_of(p);
+      if (c < sampler_.arrangement().size()) is_thick_.insert(c);
+    }
     return false;
   }
 
@@ -247,6 +254,7 @@ class Optimiser {
   ArrangementOptions lines_;
   ArrangementSampler sampler_;
   std::vector<DerivedLiteral> derived_;
+  std::set<std::size_t> is_thick_;
   std::vector<char> is_thin_;  ///< by cell, as far as looked at
   OptimiseResult out_;
 };

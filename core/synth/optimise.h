@@ -27,7 +27,7 @@ struct OptimiseOptions {
   /// box, a cylinder that a box cuts short.
   bool derives_primitives = true;
   int effort = 1;  ///< of the search: steps in units of the default
-  int rounds = 6;  ///< of search and check; counterexamples join the cells between them
+  int rounds = 12;  ///< of search and check; counterexamples join the cells between them
   ArrangementOptions arrangement = {};
   EquivalenceOptions equivalence = {};
   RewriteOptions rewrite = {};
