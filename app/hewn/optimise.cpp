@@ -9,6 +9,7 @@
 #include "app/hewn/commands.h"
 #include "app/hewn/read_tree.h"
 #include "core/base/file.h"
+#include "core/io/json.h"
 #include "core/session/tree_file.h"
 
 namespace hewn {
@@ -17,7 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct OptimiseFlags {
-  std::string input, output, report, method = "rewrite";
+  std::string input, output, report, front, qubo, method = "rewrite";
+  std::vector<double> weights;
   double tolerance = 0;
   int effort = 1;
   bool keeps_primitives = false;
@@ -25,7 +27,8 @@ struct OptimiseFlags {
 };
 
 /// In the order of `OptimiseMethod`.
-constexpr const char* kMethods[] = {"redundancy", "rewrite"};
+constexpr const char* kMethods[] = {"redundancy", "rewrite",   "dominant",  "quine-mccluskey",
+                                    "espresso",   "set-cover", "annealing", "genetic"};
 
 OptimiseMethod method_of(const std::string& name) {
   for (std::size_t i = 0; i < std::size(kMethods); ++i) {
@@ -90,8 +93,22 @@ Json report_json(const OptimiseFlags& flags, const OptimiseResult& result, std::
           {"before", figures_json(result.before)},
           {"after", figures_json(result.after)},
           {"redundancy", std::move(redundancy)},
+          {"remaining_literals", result.remaining_literals},
           {"equivalence", equivalence_json(result)},
           {"seconds", std::move(seconds)}};
+}
+
+/// Every member with its whole tree, in the format of tree files.
+std::string front_json(const OptimiseResult& result) {
+  Json members = Json::array();
+  for (const FrontMember& m : result.front) {
+    members.push_back({{"geometry", m.geometry},
+                       {"size", m.size},
+                       {"proximity", m.proximity},
+                       {"tree", Json::parse(tree_to_json(m.tree))}});
+  }
+  const Json document = {{"hewn-front", 1}, {"members", std::move(members)}};
+  return document.dump(1) + "\n";
 }
 
 Result<void> publish(const OptimiseFlags& flags, const OptimiseResult& result,
@@ -104,6 +121,12 @@ Result<void> publish(const OptimiseFlags& flags, const OptimiseResult& result,
   const std::lock_guard lock(environment.interrupt->publishing());
   if (environment.run.is_cancelled()) return RunContext::cancelled();
   if (auto done = write_tree_file(*content, flags.output); !done) return done;
+  if (!flags.front.empty()) {
+    if (auto done = write_file(flags.front, front_json(result)); !done) return done;
+  }
+  if (!flags.qubo.empty()) {
+    if (auto done = write_file(flags.qubo, result.qubo); !done) return done;
+  }
   if (flags.report.empty()) return {};
   return write_file(flags.report, report_json(flags, result, environment.run.seed).dump(2) + "\n");
 }
@@ -130,7 +153,7 @@ ExitCode run_optimise(const OptimiseFlags& flags, Environment& environment) {
   if (auto known = check_tree_extension(flags.output); !known) {
     return environment.fail(known.error());
   }
-  for (const std::string& path : {flags.output, flags.report}) {
+  for (const std::string& path : {flags.output, flags.report, flags.front, flags.qubo}) {
     if (path.empty() || path == "-") continue;
     if (auto possible = check_output(path); !possible) return environment.fail(possible.error());
   }
@@ -142,6 +165,16 @@ ExitCode run_optimise(const OptimiseFlags& flags, Environment& environment) {
   options.effort = flags.effort;
   options.derives_primitives = !flags.keeps_primitives;
   options.equivalence.points = flags.points;
+  options.wants_front = !flags.front.empty();
+  options.wants_qubo = !flags.qubo.empty();
+  if (options.wants_qubo && options.method == OptimiseMethod::Rewrite) {
+    options.method = OptimiseMethod::SetCover;
+  }
+  if (flags.weights.size() == 3) {
+    options.remaining.genetic.geometry_weight = flags.weights[0];
+    options.remaining.genetic.proximity_weight = flags.weights[1];
+    options.remaining.genetic.size_weight = flags.weights[2];
+  }
   const auto result = optimise(*tree, options, environment.run);
   if (!result) return environment.fail(with_input(result.error(), flags.input));
   if (auto done = publish(flags, *result, environment); !done) {
@@ -165,9 +198,24 @@ void add_optimise(CLI::App& app, RunFlags& run_flags, Command& chosen) {
       ->required();
   command->add_option("--report", flags->report, "sizes, times and proof of equivalence as JSON");
   command
-      ->add_option("--method", flags->method,
-                   "redundancy: remove what is not needed; rewrite: also rebuild parts [rewrite]")
-      ->check(CLI::IsMember({"redundancy", "rewrite"}));
+      ->add_option(
+          "--method", flags->method,
+          "rewrite: rebuild parts as long as they get smaller; redundancy: only remove what "
+          "is not needed; the others peel off dominant primitives and rebuild the rest: "
+          "dominant (not at all), quine-mccluskey, espresso, set-cover, annealing, genetic "
+          "[rewrite]")
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(kMethods), std::end(kMethods))));
+  command
+      ->add_option("--weights", flags->weights,
+                   "of geometry, proximity and size in the genetic search [50,1,10]")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--front", flags->front,
+                      "the trees that no other one beats in geometry, size and proximity, JSON");
+  command->add_option("--qubo", flags->qubo,
+                      "the remaining solid's set cover as a QUBO matrix, JSON; with a method other "
+                      "than rewrite and redundancy (set-cover if none is given)");
   command
       ->add_option("--tolerance", flags->tolerance,
                    "features thinner than this share of the diagonal may go or be filled [0]")

@@ -11,6 +11,7 @@
 #include "core/csg/literal_set.h"
 #include "core/sample/thin_cells.h"
 #include "core/synth/simplify/derived_literals.h"
+#include "core/synth/simplify/dominant.h"
 
 namespace hewn {
 namespace {
@@ -98,11 +99,12 @@ class Optimiser {
       out_.rounds = round + 1;
       CellColumns cells(sampler_.arrangement());
       derive(cells);
-      const Formula found = search(cells);
+      const Result<Formula> found = search(cells);
+      if (!found) return found.error();
       if (run_.is_cancelled()) return RunContext::cancelled();
-      auto good = check(found, round);
+      auto good = check(*found, round);
       if (!good) return good.error();
-      if (*good) return finish(found);
+      if (*good) return finish(*found);
       run_.info(fmt::format("round {}: the tree found differs on cells unseen before", round + 1));
     }
     run_.warn("nothing smaller could be proved to be the same solid; the tree is kept as it is");
@@ -128,7 +130,7 @@ class Optimiser {
   /// Finds the primitives that stand for several; they are the columns behind the input's.
   void derive(CellColumns& cells) {
     derived_.clear();
-    if (!options_.derives_primitives) return;
+    if (!options_.derives_primitives || options_.method != OptimiseMethod::Rewrite) return;
     StageTimer timer(out_.seconds, "derive");
     Formula wanted = input_formula();
     evaluate(wanted, cells);
@@ -165,7 +167,7 @@ class Optimiser {
     return care;
   }
 
-  Formula search(const CellColumns& cells) {
+  Result<Formula> search(const CellColumns& cells) {
     const Column cared = care(cells);
     out_.redundancy = {};
     Formula f;
@@ -176,14 +178,39 @@ class Optimiser {
     if (options_.method == OptimiseMethod::Redundancy) return f;
     {
       StageTimer timer(out_.seconds, "search");
-      RewriteOptions rewrite = options_.rewrite;
-      rewrite.steps_per_literal *= options_.effort;
-      rewrite.most_steps *= options_.effort;
-      rewrite.most_work *= options_.effort;
-      f = rewrite_search(std::move(f), cells, cared, rewrite, run_);
+      auto rebuilt = options_.method == OptimiseMethod::Rewrite
+                         ? rewritten(std::move(f), cells, cared)
+                         : pieced(std::move(f), cells, cared);
+      if (!rebuilt) return rebuilt;
+      f = std::move(*rebuilt);
     }
     StageTimer timer(out_.seconds, "redundancy");
     return without_redundancy(std::move(f), cells, cared, run_);
+  }
+
+  Result<Formula> rewritten(Formula f, const CellColumns& cells, const Column& cared) const {
+    RewriteOptions rewrite = options_.remaining.rewrite;
+    rewrite.steps_per_literal *= options_.effort;
+    rewrite.most_steps *= options_.effort;
+    rewrite.most_work *= options_.effort;
+    return rewrite_search(std::move(f), cells, cared, rewrite, run_);
+  }
+
+  /// The paper's way: decompose, rebuild what remains, put it back.
+  Result<Formula> pieced(Formula f, const CellColumns& cells, const Column& cared) {
+    Decomposition d = decompose(std::move(f), cells, cared, run_);
+    out_.remaining_literals = leaf_count(d.rest);
+    if (options_.wants_qubo) {
+      const TwoLevelProblem problem = two_level_problem(d.rest, cells, d.care);
+      const auto primes = prime_implicants(problem, options_.remaining.two_level, run_);
+      out_.qubo = qubo_to_json(qubo_of(covering_problem(primes, problem)));
+    }
+    auto rebuilt = rebuild_remaining(remaining_method(options_.method), d.rest, cells, d.care,
+                                     options_.remaining, run_);
+    if (!rebuilt) return rebuilt;
+    // A disjunctive form may be longer than what was there.
+    const bool is_longer = leaf_count(*rebuilt) > leaf_count(d.rest);
+    return recomposed(d, is_longer ? d.rest : std::move(*rebuilt));
   }
 
   /// Whether `found` holds on cells and points that the search has not seen. Those where it does
@@ -243,7 +270,34 @@ class Optimiser {
     evaluate(value, cells);
     out_.changed_cells = count_differences(wanted.value, value.value, cells.all());
     for (const char thin : is_thin_) out_.tolerated_cells += thin ? 1 : 0;
+    if (options_.wants_front && !found.is_constant()) {
+      if (auto done = find_front(found, cells); !done) return done.error();
+    }
     return std::move(out_);
+  }
+
+  /// Evolves from the tree found and from the input; what claims to be the same solid has to stand
+  /// the same test as the tree itself.
+  Result<void> find_front(const Formula& found, const CellColumns& cells) {
+    StageTimer timer(out_.seconds, "front");
+    std::vector<Formula> starts = {found};
+    if (options_.tolerance <= 0) starts.push_back(input_formula());
+    const auto evolved = evolve(starts, cells, cells.all(), options_.remaining.genetic, run_);
+    if (!evolved) return evolved.error();
+    EquivalenceOptions test = options_.equivalence;
+    test.scale = sampler_.arrangement().scale;
+    for (const ParetoMember& m : evolved->front) {
+      FrontMember member{to_tree(formula_of(m.genome), all_literals(), cells), m.geometry, m.size,
+                         m.proximity};
+      member.size = tree_size(member.tree);
+      if (m.geometry >= 1) {
+        const auto compared = compare_trees(out_.tree, member.tree, test, run_);
+        if (!compared) return compared.error();
+        if (!compared->is_same()) continue;
+      }
+      out_.front.push_back(std::move(member));
+    }
+    return {};
   }
 
   const Tree& input_;
@@ -260,6 +314,27 @@ class Optimiser {
 };
 
 }  // namespace
+
+RemainingMethod remaining_method(OptimiseMethod method) {
+  switch (method) {
+    case OptimiseMethod::QuineMcCluskey:
+      return RemainingMethod::QuineMcCluskey;
+    case OptimiseMethod::Espresso:
+      return RemainingMethod::Espresso;
+    case OptimiseMethod::SetCover:
+      return RemainingMethod::SetCover;
+    case OptimiseMethod::Annealing:
+      return RemainingMethod::Annealing;
+    case OptimiseMethod::Genetic:
+      return RemainingMethod::Genetic;
+    case OptimiseMethod::Rewrite:
+      return RemainingMethod::Rewrite;
+    case OptimiseMethod::Redundancy:
+    case OptimiseMethod::Dominant:
+      break;
+  }
+  return RemainingMethod::None;
+}
 
 Result<OptimiseResult> optimise(const Tree& tree, const OptimiseOptions& options,
                                 const RunContext& run) {

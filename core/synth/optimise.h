@@ -9,15 +9,25 @@
 #include "core/csg/tree.h"
 #include "core/sample/arrangement.h"
 #include "core/sample/equivalence.h"
+#include "core/synth/remaining_solid.h"
 #include "core/synth/simplify/redundancy.h"
-#include "core/synth/simplify/rewrite_search.h"
 
 namespace hewn {
 
+/// All but the first two decompose the tree by dominant halfspaces, then rebuild what remains.
 enum class OptimiseMethod {
   Redundancy,  ///< redundancy removal only
   Rewrite,     ///< large neighbourhood search over the whole tree
+  Dominant,    ///< what remains is left as it is
+  QuineMcCluskey,
+  Espresso,
+  SetCover,
+  Annealing,  ///< of the set cover's QUBO
+  Genetic,
 };
+
+/// The remaining-solid method that it stands for.
+RemainingMethod remaining_method(OptimiseMethod method);
 
 struct OptimiseOptions {
   OptimiseMethod method = OptimiseMethod::Rewrite;
@@ -26,11 +36,22 @@ struct OptimiseOptions {
   /// Also use primitives that stand for several of the input's: two aligned boxes that meet in a
   /// box, a cylinder that a box cuts short.
   bool derives_primitives = true;
-  int effort = 1;  ///< of the search: steps in units of the default
+  int effort = 1;   ///< of the search: steps in units of the default
   int rounds = 12;  ///< of search and check; counterexamples join the cells between them
   ArrangementOptions arrangement = {};
   EquivalenceOptions equivalence = {};
-  RewriteOptions rewrite = {};
+  RemainingOptions remaining = {};
+  bool wants_qubo = false;
+  bool wants_front = false;  ///< also search for the non-dominated trees (genetic search)
+};
+
+/// A tree of the Pareto front.
+struct FrontMember {
+  Tree tree;
+  double geometry =
+      0;  ///< share of cells that are right, mean of inside and outside; 1: same solid
+  int size = 0;
+  double proximity = 0;
 };
 
 struct TreeFigures {
@@ -58,6 +79,9 @@ struct OptimiseResult {
   bool is_input = false;  ///< nothing smaller could be proved: the input itself
   RedundancyCounts redundancy;
   Equivalence equivalence;
+  int remaining_literals = 0;  ///< after decomposition, before they are rebuilt
+  std::vector<FrontMember> front;
+  std::string qubo;  ///< of the remaining solid's set cover, as JSON; with `wants_qubo`
   std::vector<StageSeconds> seconds;
 };
 

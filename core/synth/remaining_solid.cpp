@@ -21,6 +21,11 @@ Result<Formula> rebuild_remaining(RemainingMethod method, Formula rest, const Ce
   if (method == RemainingMethod::Rewrite) {
     return rewrite_search(std::move(rest), cells, care, options.rewrite, run);
   }
+  if (method == RemainingMethod::Genetic) {
+    auto evolved = evolve({std::move(rest)}, cells, care, options.genetic, run);
+    if (!evolved) return evolved.error();
+    return std::move(evolved->best);
+  }
   const TwoLevelProblem problem = two_level_problem(std::move(rest), cells, care);
   const auto cubes = cubes_by(method, problem, options.two_level, run);
   if (!cubes) return cubes.error();

@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/base/run_context.h"
+#include "core/synth/evolve/genetic.h"
 #include "core/synth/simplify/formula.h"
 #include "core/synth/simplify/rewrite_search.h"
 #include "core/synth/twolevel/two_level.h"
@@ -17,11 +18,13 @@ enum class RemainingMethod {
   Espresso,
   SetCover,   ///< prime implicants and exact search
   Annealing,  ///< the same cover as a QUBO, annealed
+  Genetic,
 };
 
 struct RemainingOptions {
   RewriteOptions rewrite = {};
   TwoLevelOptions two_level = {};
+  GeneticOptions genetic = {};
 };
 
 /// A formula equal to `rest` on the cells of `care`. Two-level methods give a union of

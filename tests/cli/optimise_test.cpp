@@ -41,6 +41,48 @@ TEST_CASE("a redundant design comes out smaller, with a report that proves it") 
   CHECK(again.out.find("size 3 -> 3") != std::string::npos);
 }
 
+TEST_CASE("every method gives the same small tree of a design that is a chain") {
+  const Folder folder;
+  const std::string input = folder.write("plate.scad", kDesign);
+  for (const std::string method : {"redundancy", "rewrite", "dominant", "quine-mccluskey",
+                                   "espresso", "set-cover", "annealing", "genetic"}) {
+    CAPTURE(method);
+    const Outcome done =
+        run_hewn({"optimise", input, "-o", folder / "out.json", "--method", method});
+    REQUIRE_MESSAGE(done.exit_code == 0, done.err);
+    CHECK(done.out.find("size 7 -> 3") != std::string::npos);
+  }
+  CHECK(run_hewn({"optimise", input, "-o", folder / "o.json", "--method", "magic"}).exit_code ==
+        kUsage);
+}
+
+TEST_CASE("the front holds whole trees, the best of them the optimised one") {
+  const Folder folder;
+  const std::string input = folder.write("plate.scad", kDesign);
+  const Outcome done = run_hewn({"optimise", input, "-o", folder / "out.json", "--front",
+                                 folder / "front.json", "--qubo", folder / "q.json"});
+  REQUIRE_MESSAGE(done.exit_code == 0, done.err);
+  const auto front = nlohmann::json::parse(content_of(folder / "front.json"));
+  REQUIRE_FALSE(front.at("members").empty());
+  CHECK(front["members"][0].at("geometry") == 1);
+  CHECK(front["members"][0].at("size") == 3);
+  const std::string tree = folder.write("best.json", front["members"][0].at("tree").dump());
+  CHECK(run_hewn({"export", tree, "-o", folder / "best.scad"}).exit_code == 0);
+  CHECK(nlohmann::json::parse(content_of(folder / "q.json")).at("hewn-qubo") == 1);
+}
+
+TEST_CASE("an inflated design comes back to its size") {
+  const Folder folder;
+  const std::string input = folder.write("plate.scad", kDesign);
+  const Outcome larger = run_hewn({"inflate", input, "-o", folder / "large.json", "--seed", "5"});
+  REQUIRE_MESSAGE(larger.exit_code == 0, larger.err);
+  const Outcome back = run_hewn({"optimise", folder / "large.json", "-o", folder / "out.json"});
+  REQUIRE_MESSAGE(back.exit_code == 0, back.err);
+  CHECK(back.out.find("-> 3,") != std::string::npos);
+  CHECK(run_hewn({"inflate", input, "-o", folder / "x.json", "--absorption", "2"}).exit_code ==
+        kUsage);
+}
+
 TEST_CASE("a solid that is empty says so") {
   const Folder folder;
   const std::string input =

@@ -72,7 +72,7 @@ TEST_CASE("a plate of a thousandth of the diagonal is seen, and how far it reach
   CHECK(plate.signed_distance(e.examples[0]) < 0);
   const Equivalence tolerant = compared(joined(Op::Union, block, plate), single(block), 0.01);
   CHECK(tolerant.is_same());
-  CHECK(tolerant.tolerated == e.different);
+  CHECK(tolerant.tolerated >= e.different);
 }
 
 TEST_CASE("solids that differ as a whole are told apart") {

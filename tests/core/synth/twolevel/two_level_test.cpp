@@ -39,9 +39,12 @@ TEST_CASE("every method rebuilds the same solid, with don't-cares") {
     const Column care = i % 2 == 0 ? cells.all() : random_column(rng, cells);
     for (const RemainingMethod method :
          {RemainingMethod::None, RemainingMethod::Rewrite, RemainingMethod::QuineMcCluskey,
-          RemainingMethod::Espresso, RemainingMethod::SetCover, RemainingMethod::Annealing}) {
+          RemainingMethod::Espresso, RemainingMethod::SetCover, RemainingMethod::Annealing,
+          RemainingMethod::Genetic}) {
       CAPTURE(static_cast<int>(method));
-      const auto made = rebuild_remaining(method, f, cells, care, {}, {});
+      RemainingOptions options;
+      options.genetic.iterations = 30;
+      const auto made = rebuild_remaining(method, f, cells, care, options, {});
       REQUIRE(made.has_value());
       REQUIRE(same_on(f, *made, cells, care));
     }

@@ -1,0 +1,224 @@
+#include "core/synth/evolve/genetic.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace hewn {
+namespace {
+
+struct Creature {
+  Genome genome;
+  Measures measures;
+  double geometry = 0;
+  double score = 0;
+  bool is_right() const { return geometry >= 1; }
+};
+
+class Evolution {
+ public:
+  Evolution(const std::vector<Formula>& starts, const CellColumns& cells, const Column& care,
+            const GeneticOptions& options, const RunContext& run)
+      : starts_(starts),
+        options_(options),
+        run_(run),
+        table_(cells, starts[0].value, care),
+        rng_(run.seed, 2020) {}
+
+  Result<GeneticResult> work() {
+    begin();
+    double best_score = 0;
+    int idle = 0;
+    for (int i = 0; i < options_.iterations && idle < options_.most_idle; ++i, ++idle) {
+      if (run_.is_cancelled()) return RunContext::cancelled();
+      if (run_.should_stop()) break;
+      if (i % 16 == 0) run_.report("evolve", static_cast<double>(i) / options_.iterations);
+      rank();
+      if (i == 0 || population_[0].score > best_score + 1e-12) {
+        best_score = population_[0].score;
+        idle = 0;
+      }
+      breed();
+      result_.iterations = i + 1;
+    }
+    result_.best = formula_of(best_);
+    result_.front = archive_.front();
+    return std::move(result_);
+  }
+
+ private:
+  void begin() {
+    std::vector<Genome> inputs;
+    std::size_t largest = 0;
+    for (const Formula& f : starts_) {
+      if (f.is_constant()) continue;
+      inputs.push_back(genome_of(f));
+      largest = std::max(largest, inputs.back().size());
+    }
+    most_nodes_ = std::max(3, static_cast<int>(options_.largest * static_cast<double>(largest)));
+    for (int i = 0; i < options_.population; ++i) {
+      Creature c;
+      const auto copy = static_cast<std::size_t>(i / 2) % inputs.size();
+      c.genome = i % 2 == 0 ? inputs[copy]
+                            : random_genome(table_.literals(), static_cast<int>(largest), rng_);
+      measure(c);
+      if (i == 0 && best_.empty()) best_ = c.genome;
+      population_.push_back(std::move(c));
+    }
+  }
+
+  void measure(Creature& c) {
+    c.measures = table_.measure(c.genome, scratch_);
+    ++result_.evaluations;
+    const auto share = [](int right, int all) {
+      return all > 0 ? static_cast<double>(right) / all : 1.0;
+    };
+    c.geometry = (share(c.measures.inside_right, table_.inside_rows()) +
+                  share(c.measures.outside_right, table_.outside_rows())) /
+                 2;
+    const double proximity = static_cast<double>(c.measures.proximity) / c.measures.size;
+    archive_.offer({c.genome, c.geometry, c.measures.size, proximity});
+    if (!c.is_right()) return;
+    // Of right ones the smallest; then the one whose operands overlap most.
+    const bool is_better =
+        best_.empty() || c.genome.size() < best_.size() ||
+        (c.genome.size() == best_.size() && c.measures.proximity > best_proximity_);
+    if (!is_better) return;
+    best_ = c.genome;
+    best_proximity_ = c.measures.proximity;
+  }
+
+  /// Scores are relative to the sizes in the population.
+  void rank() {
+    int least = population_[0].measures.size;
+    int most = least;
+    for (const Creature& c : population_) {
+      least = std::min(least, c.measures.size);
+      most = std::max(most, c.measures.size);
+    }
+    for (Creature& c : population_) {
+      const double proximity = static_cast<double>(c.measures.proximity) / c.measures.size;
+      const double smallness =
+          most > least ? static_cast<double>(most - c.measures.size) / (most - least) : 1.0;
+      // Both shares count in the paper: twice the mean.
+      c.score = options_.geometry_weight * 2 * c.geometry + options_.proximity_weight * proximity +
+                options_.size_weight * smallness;
+    }
+    std::stable_sort(population_.begin(), population_.end(),
+                     [](const Creature& a, const Creature& b) { return a.score > b.score; });
+  }
+
+  const Creature& select() {
+    std::size_t best = rng_.below(population_.size());
+    for (int i = 1; i < options_.tournament; ++i) {
+      // The population is sorted: the smaller index wins.
+      const std::size_t other = rng_.below(population_.size());
+      best = std::min(best, other);
+    }
+    return population_[best];
+  }
+
+  void breed() {
+    std::vector<Creature> next(
+        population_.begin(),
+        population_.begin() + std::min<std::ptrdiff_t>(
+                                  options_.elite, static_cast<std::ptrdiff_t>(population_.size())));
+    while (next.size() < population_.size()) {
+      Creature child;
+      child.genome = select().genome;
+      if (rng_.uniform() < options_.crossover) {
+        const Genome other = select().genome;
+        exchange(child.genome, other);
+      }
+      if (rng_.uniform() < options_.mutation) mutate(child.genome);
+      measure(child);
+      next.push_back(std::move(child));
+    }
+    population_ = std::move(next);
+  }
+
+  /// Puts `part` in the place of the subtree that ends at `last`, when there is room.
+  void replace(Genome& genome, std::size_t last, const Genome& part) const {
+    const std::size_t first = subtree_begin(genome, last);
+    const std::size_t size = genome.size() - (last - first + 1) + part.size();
+    if (static_cast<int>(size) > most_nodes_) return;
+    const auto at = genome.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto rest = genome.erase(at, genome.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    genome.insert(rest, part.begin(), part.end());
+  }
+
+  /// A random subtree of the other parent.
+  void exchange(Genome& genome, const Genome& other) {
+    const std::size_t last = rng_.below(other.size());
+    const std::size_t first = subtree_begin(other, last);
+    const Genome part(other.begin() + static_cast<std::ptrdiff_t>(first),
+                      other.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    const std::size_t place = rng_.below(genome.size());
+    replace(genome, place, part);
+  }
+
+  /// A new subtree, a subtree in the place of its parent, another literal, or another operation.
+  void mutate(Genome& genome) {
+    const std::size_t place = rng_.below(genome.size());
+    switch (rng_.below(4)) {
+      case 0:
+        replace(genome, place, random_genome(table_.literals(), 7, rng_));
+        return;
+      case 1: {
+        if (genome[place] >= 0) return;
+        const std::size_t first = subtree_begin(genome, place - 1);
+        replace(genome, place,
+                Genome(genome.begin() + static_cast<std::ptrdiff_t>(first),
+                       genome.begin() + static_cast<std::ptrdiff_t>(place)));
+        return;
+      }
+      case 2:
+        if (genome[place] < 0) return;
+        genome[place] = static_cast<Token>(rng_.below(static_cast<std::size_t>(table_.literals())));
+        return;
+      default: {
+        if (genome[place] >= 0 || genome[place] == kComplementToken) return;
+        constexpr Token kOps[] = {kUnionToken, kIntersectionToken, kDifferenceToken};
+        genome[place] = kOps[rng_.below(3)];
+      }
+    }
+  }
+
+  const std::vector<Formula>& starts_;
+  const GeneticOptions& options_;
+  const RunContext& run_;
+  FitnessTable table_;
+  Rng rng_;
+  int most_nodes_ = 0;
+  std::vector<Creature> population_;
+  FitnessScratch scratch_;
+  Genome best_;
+  int best_proximity_ = 0;
+  ParetoArchive archive_;
+  GeneticResult result_;
+};
+
+}  // namespace
+
+Result<GeneticResult> evolve(const std::vector<Formula>& starts, const CellColumns& cells,
+                             const Column& care, const GeneticOptions& options,
+                             const RunContext& run) {
+  if (starts.empty() || options.population < 2 || options.tournament < 1 ||
+      options.iterations < 0 || !(options.largest >= 1)) {
+    return Error{ErrorCode::InvalidArgument,
+                 "a genetic search needs a tree, two creatures and a tournament of one"};
+  }
+  std::vector<Formula> normal;
+  for (const Formula& f : starts) {
+    normal.push_back(normalised(f));
+    evaluate(normal.back(), cells);
+  }
+  if (normal[0].is_constant()) {
+    GeneticResult trivial;
+    trivial.best = normal[0];
+    return trivial;
+  }
+  return Evolution(normal, cells, care, options, run).work();
+}
+
+}  // namespace hewn

@@ -1,0 +1,95 @@
+#include "core/synth/evolve/genome.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hewn {
+namespace {
+
+using Kind = Formula::Kind;
+
+/// The node without its own negation.
+void append_positive(const Formula& f, Genome& out) {
+  if (f.kind == Kind::Leaf) {
+    out.push_back(static_cast<Token>(f.literal));
+    return;
+  }
+  bool is_first = true;
+  for (const bool is_negated : {false, true}) {
+    for (const Formula& child : f.children) {
+      if (child.is_negated != is_negated) continue;
+      append_positive(child, out);
+      if (!is_first) {
+        out.push_back(is_negated           ? kDifferenceToken
+                      : f.kind == Kind::Or ? kUnionToken
+                                           : kIntersectionToken);
+      }
+      is_first = false;
+    }
+  }
+}
+
+void append_random(int literals, int nodes, Rng& rng, Genome& out) {
+  if (nodes < 3) {
+    out.push_back(static_cast<Token>(rng.below(static_cast<std::size_t>(literals))));
+    return;
+  }
+  const int inner = nodes - 1;
+  const int left = 1 + static_cast<int>(rng.below(static_cast<std::size_t>(inner - 1)));
+  append_random(literals, left, rng, out);
+  append_random(literals, inner - left, rng, out);
+  constexpr Token kOps[] = {kUnionToken, kIntersectionToken, kDifferenceToken};
+  out.push_back(kOps[rng.below(3)]);
+}
+
+}  // namespace
+
+std::size_t subtree_begin(const Genome& genome, std::size_t last) {
+  int open = 1;
+  std::size_t at = last;
+  while (true) {
+    const Token t = genome[at];
+    if (t >= 0) --open;
+    if (t == kUnionToken || t == kIntersectionToken || t == kDifferenceToken) ++open;
+    if (open == 0) return at;
+    --at;
+  }
+}
+
+Genome random_genome(int literals, int most_nodes, Rng& rng) {
+  Genome genome;
+  const auto choices = static_cast<std::size_t>(std::max(1, most_nodes));
+  const int nodes = 1 + static_cast<int>(rng.below(choices));
+  append_random(literals, nodes, rng, genome);
+  return genome;
+}
+
+Genome genome_of(const Formula& formula) {
+  Genome genome;
+  append_positive(formula, genome);
+  if (formula.is_negated) genome.push_back(kComplementToken);
+  return genome;
+}
+
+Formula formula_of(const Genome& genome) {
+  std::vector<Formula> stack;
+  for (const Token t : genome) {
+    if (t >= 0) {
+      stack.push_back(Formula::leaf(t));
+      continue;
+    }
+    if (t == kComplementToken) {
+      stack.back().is_negated = !stack.back().is_negated;
+      continue;
+    }
+    std::vector<Formula> parts;
+    parts.push_back(std::move(stack[stack.size() - 2]));
+    parts.push_back(std::move(stack.back()));
+    stack.resize(stack.size() - 2);
+    if (t == kDifferenceToken) parts[1].is_negated = !parts[1].is_negated;
+    stack.push_back(Formula::join(t == kUnionToken ? Kind::Or : Kind::And, std::move(parts)));
+  }
+  return normalised(std::move(stack.back()));
+}
+
+}  // namespace hewn

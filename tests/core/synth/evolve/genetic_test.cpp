@@ -1,0 +1,101 @@
+#include "core/synth/evolve/genetic.h"
+
+#include <doctest/doctest.h>
+
+#include "tests/core/synth/simplify/formula_fixture.h"
+
+namespace hewn {
+namespace {
+
+using testing::all_cells;
+using testing::random_formula;
+using testing::same_on;
+
+TEST_CASE("a genome is the formula, and its parts are whole subtrees") {
+  Rng rng(61);
+  const CellColumns cells = all_cells(5);
+  for (int i = 0; i < 300; ++i) {
+    const Formula f = normalised(random_formula(rng, 5, 4));
+    if (f.is_constant()) continue;
+    const Genome genome = genome_of(f);
+    REQUIRE(static_cast<int>(genome.size()) == formula_size(f));
+    REQUIRE(same_on(f, formula_of(genome), cells, cells.all()));
+    CHECK(subtree_begin(genome, genome.size() - 1) == 0);
+  }
+  for (int i = 0; i < 200; ++i) {
+    const Genome genome = random_genome(4, 21, rng);
+    CHECK(genome.size() <= 21);
+    CHECK(subtree_begin(genome, genome.size() - 1) == 0);
+  }
+}
+
+TEST_CASE("measures are those of the formula's tree") {
+  Rng rng(62);
+  const CellColumns cells = all_cells(6);
+  FitnessScratch scratch;
+  for (int i = 0; i < 300; ++i) {
+    Formula wanted = random_formula(rng, 6, 3);
+    evaluate(wanted, cells);
+    const Column care = testing::random_column(rng, cells);
+    const FitnessTable table(cells, wanted.value, care);
+    Formula f = normalised(random_formula(rng, 6, 4));
+    if (f.is_constant()) continue;
+    const Measures m = table.measure(genome_of(f), scratch);
+    evaluate(f, cells);
+    const auto wrong = static_cast<int>(count_differences(f.value, wanted.value, care));
+    CHECK(m.inside_right + m.outside_right == table.inside_rows() + table.outside_rows() - wrong);
+    CHECK(m.size == formula_size(f));
+    if (care == cells.all()) CHECK(m.proximity <= m.size);
+  }
+}
+
+TEST_CASE("evolution keeps the solid and finds smaller trees") {
+  Rng rng(63);
+  const CellColumns cells = all_cells(5);
+  GeneticOptions options;
+  options.iterations = 150;
+  int smaller = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Formula f = normalised(random_formula(rng, 5, 4));
+    RunContext run;
+    run.seed = static_cast<std::uint64_t>(i);
+    const auto result = evolve({f}, cells, cells.all(), options, run);
+    REQUIRE(result.has_value());
+    REQUIRE(same_on(f, result->best, cells, cells.all()));
+    CHECK(formula_size(result->best) <= formula_size(f));
+    smaller += formula_size(result->best) < formula_size(f) ? 1 : 0;
+    for (const ParetoMember& a : result->front) {
+      for (const ParetoMember& b : result->front) CHECK_FALSE(dominates(a, b));
+    }
+    const auto again = evolve({f}, cells, cells.all(), options, run);
+    REQUIRE(again.has_value());
+    CHECK(again->evaluations == result->evaluations);
+    CHECK(same_on(again->best, result->best, cells, cells.all()));
+  }
+  CHECK(smaller > 3);
+}
+
+TEST_CASE("the archive keeps what nothing dominates") {
+  ParetoArchive archive;
+  CHECK(archive.offer({{0}, 1, 5, 0.5}));
+  CHECK_FALSE(archive.offer({{1}, 1, 5, 0.5}));
+  CHECK_FALSE(archive.offer({{1}, 1, 7, 0.5}));
+  CHECK(archive.offer({{2}, 1, 7, 0.9}));
+  CHECK(archive.offer({{3}, 0.8, 3, 0.5}));
+  CHECK(archive.size() == 3);
+  CHECK(archive.offer({{4}, 1, 3, 1}));
+  CHECK(archive.size() == 1);
+  CHECK(archive.front()[0].genome == Genome{4});
+}
+
+TEST_CASE("evolution stops on request") {
+  const CellColumns cells = all_cells(3);
+  RunContext run;
+  run.cancel->cancel();
+  const auto stopped = evolve({Formula::leaf(0)}, cells, cells.all(), {}, run);
+  REQUIRE_FALSE(stopped.has_value());
+  CHECK(stopped.error().code == ErrorCode::Cancelled);
+}
+
+}  // namespace
+}  // namespace hewn
