@@ -67,6 +67,11 @@ struct SetOption {
 struct SetSeed {
   std::uint64_t seed = 1;
 };
+/// Changes a number of a literal of the found tree. Other edits of the plan, names aside, take such
+/// changes back, because they lead to other trees.
+struct EditLiteral {
+  LiteralEdit edit;
+};
 /// Puts another plan for the same mesh in place, e.g. that of a result the user picked.
 struct SetPlan {
   std::string plan;  ///< `plan_text` of it
@@ -90,7 +95,8 @@ struct Redo {};
 using SessionCommand =
     std::variant<AddCut, MoveCut, DeleteCut, MergeGroups, DeleteMerge, AddPartition, AssignGroups,
                  RemovePartition, RenamePartition, SetPartitionOp, MovePartition, SetOption,
-                 SetSeed, SetPlan, OpenFile, SaveProject, Reconstruct, ExportTree, Undo, Redo>;
+                 SetSeed, EditLiteral, SetPlan, OpenFile, SaveProject, Reconstruct, ExportTree,
+                 Undo, Redo>;
 
 /// "Cut", "New partition", ...: what menus and the undo list call it.
 const char* title_of(const SessionCommand& command);

@@ -180,6 +180,19 @@ struct Entry<SetSeed> {
 };
 
 template <>
+struct Entry<EditLiteral> {
+  static constexpr const char* kName = "edit-literal";
+  static constexpr const char* kTitle = "Edit literal";
+  static Json write(const EditLiteral& c) {
+    return {{"literal", c.edit.literal}, {"field", c.edit.field}, {"value", c.edit.value}};
+  }
+  static EditLiteral read(const Json& j) {
+    return {{j.at("literal").get<int>(), j.at("field").get<std::string>(),
+             j.at("value").get<double>()}};
+  }
+};
+
+template <>
 struct Entry<SetPlan> {
   static constexpr const char* kName = "plan";
   static constexpr const char* kTitle = "Take result";

@@ -52,6 +52,10 @@ class Editor {
       : before_(before), next_(before), run_(run) {}
 
   Result<Document> carry_out(const SessionCommand& command) {
+    const bool keeps_edits = std::holds_alternative<EditLiteral>(command) ||
+                             std::holds_alternative<SetPlan>(command) ||
+                             std::holds_alternative<RenamePartition>(command);
+    if (!keeps_edits) next_.project.edits.clear();
     const Result<void> done =
         std::visit([this](const auto& c) -> Result<void> { return edit(c); }, command);
     if (!done) return done.error();
@@ -213,6 +217,18 @@ class Editor {
   Result<void> edit(const SetSeed& command) {
     next_.project.seed = command.seed;
     return follow_source();
+  }
+
+  Result<void> edit(const EditLiteral& command) {
+    if (command.edit.literal < 0 || command.edit.field.empty() ||
+        !std::isfinite(command.edit.value)) {
+      return refused("an edit needs a literal, a field and a number");
+    }
+    std::erase_if(next_.project.edits, [&command](const LiteralEdit& e) {
+      return e.literal == command.edit.literal && e.field == command.edit.field;
+    });
+    next_.project.edits.push_back(command.edit);
+    return {};
   }
 
   Result<void> edit(const SetPlan& command) {

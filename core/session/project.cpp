@@ -123,6 +123,22 @@ PartitionPlan read_partition(const Json& value, const std::string& where, int de
   return plan;
 }
 
+LiteralEdit read_edit(const Json& value, const std::string& where) {
+  check_keys(value, where, {"literal", "field", "value"});
+  LiteralEdit edit;
+  if (!value.contains("literal") || !value["literal"].is_number_integer()) {
+    fail(where + ".literal", "a whole number is needed");
+  }
+  if (!value.contains("field") || !value["field"].is_string()) {
+    fail(where + ".field", "a name is needed");
+  }
+  if (!value.contains("value")) fail(where, "an edit needs \"value\"");
+  edit.literal = value["literal"].get<int>();
+  edit.field = value["field"].get<std::string>();
+  edit.value = read_number(value["value"], where + ".value");
+  return edit;
+}
+
 int count_rest(const PartitionPlan& plan) {
   int count = plan.takes_rest ? 1 : 0;
   for (const PartitionPlan& child : plan.children) count += count_rest(child);
@@ -144,7 +160,8 @@ void read_version(const Json& root) {
 
 Project read_project(const Json& root, const std::filesystem::path& folder) {
   read_version(root);
-  check_keys(root, "", {"hewn-project", "mesh", "seed", "options", "cuts", "merges", "partition"});
+  check_keys(root, "",
+             {"hewn-project", "mesh", "seed", "options", "cuts", "merges", "partition", "edits"});
   Project project;
   if (!root.contains("mesh") || !root["mesh"].is_string()) fail("mesh", "a file name is needed");
   const std::filesystem::path mesh = root["mesh"].get<std::string>();
@@ -173,6 +190,11 @@ Project read_project(const Json& root, const std::filesystem::path& folder) {
   }
   if (root.contains("partition")) {
     project.root = read_partition(root["partition"], "partition", 0);
+  }
+  const Json& edits = root.contains("edits") ? root["edits"] : none;
+  if (!edits.is_array()) fail("edits", "a list is needed");
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    project.edits.push_back(read_edit(edits[i], fmt::format("edits[{}]", i)));
   }
   if (count_rest(project.root) > 1) fail("partition", "only one partition can take the \"rest\"");
   return project;
@@ -249,6 +271,10 @@ std::string project_text(const Project& project, const std::filesystem::path& fo
     Json object = {{"normal", point_json(cut.normal)}, {"offset", cut.offset}};
     if (!cut.groups.empty()) object["groups"] = groups_to_json(cut.groups);
     root["cuts"].push_back(std::move(object));
+  }
+  for (const LiteralEdit& edit : project.edits) {
+    root["edits"].push_back(
+        {{"literal", edit.literal}, {"field", edit.field}, {"value", edit.value}});
   }
   for (const auto& merge : project.merges) root["merges"].push_back(groups_to_json(merge));
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -11,6 +11,7 @@
 
 #include "core/base/result.h"
 #include "core/csg/tree.h"
+#include "core/session/literal_edit.h"
 #include "core/session/settings.h"
 
 namespace hewn {
@@ -46,6 +47,7 @@ struct Project {
   std::vector<CutStep> cuts;                  ///< in order; each sees the groups of those before
   std::vector<std::vector<GroupRef>> merges;  ///< after the cuts
   PartitionPlan root = {"part", Op::Union, {}, true, {}};
+  std::vector<LiteralEdit> edits;  ///< of the tree that is found
 };
 
 /// The version that this program writes and the newest that it reads.

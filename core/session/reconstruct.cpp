@@ -162,7 +162,7 @@ class Reconstructor {
     if (auto useful = check_likeness(*score); !useful) return useful.error();
     out_.score = *score;
     out_.times.push_back({"verify", watch.lap()});
-    return std::move(out_);
+    return with_edits(std::move(out_), project_, run_);
   }
 
  private:
@@ -316,6 +316,20 @@ class Reconstructor {
 };
 
 }  // namespace
+
+Result<Reconstruction> with_edits(Reconstruction found, const Project& project,
+                                  const RunContext& run) {
+  if (project.edits.empty()) return found;
+  if (auto done = edit_literals(found.tree, project.edits); !done) return done.error();
+  RunContext seeded = run;
+  seeded.seed = project.seed;
+  StopWatch watch;
+  auto score = score_tree(*found.prepared.query, found.tree, project.settings.verify, seeded);
+  if (!score) return score.error();
+  found.score = *score;
+  found.times.push_back({"verify edits", watch.lap()});
+  return found;
+}
 
 Result<SegmentedMesh> segment_project(const Project& project, const RunContext& run) {
   return Reconstructor(project, run).prepare();

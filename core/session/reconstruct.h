@@ -58,6 +58,11 @@ Result<SegmentedMesh> segment_project(const Project& project, const RunContext& 
 /// Same result for any number of threads, times aside.
 Result<Reconstruction> reconstruct(const Project& project, const RunContext& run);
 
+/// The result after the project's edits of literals, measured anew; `found` is the result of the
+/// same project without them. Fails with: InvalidArgument (as `edit_literals`), Cancelled.
+Result<Reconstruction> with_edits(Reconstruction found, const Project& project,
+                                  const RunContext& run);
+
 /// The second half alone: `segmented` is what `segment_project` made of the same project.
 /// The same result as that of the whole.
 Result<Reconstruction> reconstruct(const Project& project, SegmentedMesh segmented,

@@ -24,13 +24,17 @@ std::string text_of(const Error& error) {
   return error.where.empty() ? error.message : error.where + ": " + error.message;
 }
 
-/// The result of a search from the groups as they stand.
-Result<std::shared_ptr<const FoundResult>> search(const Document& document, std::string source,
-                                                  const RunContext& run) {
+using SharedResult = std::shared_ptr<const FoundResult>;
+
+/// The result of a search from the groups as they stand; of `base`, when it is there, with the
+/// plan's edits of literals.
+Result<SharedResult> search(const Document& document, const SharedResult& base, std::string source,
+                            const RunContext& run) {
   SegmentedMesh segmented;
   segmented.report = document.source->report;
   segmented.prepared = *document.prepared;
-  auto found = reconstruct(document.project, std::move(segmented), run);
+  auto found = base ? with_edits(base->found, document.project, run)
+                    : reconstruct(document.project, std::move(segmented), run);
   if (!found) return found.error();
   auto result = std::make_shared<FoundResult>();
   result->project = document.project;
@@ -38,7 +42,7 @@ Result<std::shared_ptr<const FoundResult>> search(const Document& document, std:
   result->source = std::move(source);
   result->seconds = total_seconds(*found);
   result->found = std::move(*found);
-  return std::shared_ptr<const FoundResult>(std::move(result));
+  return SharedResult(std::move(result));
 }
 
 Result<void> write_result(const FoundResult& result, const ExportTree& command,
@@ -88,12 +92,23 @@ Result<void> Session::carry_out(const SessionCommand& command) {
       return Error{ErrorCode::InvalidArgument, is_undo ? "nothing to undo" : "nothing to do again"};
     }
   } else {
+    if (const auto* edit = std::get_if<EditLiteral>(&command)) {
+      if (auto possible = check_edit(*edit); !possible) return possible;
+    }
     auto next = edited(history_.current(), command, RunContext{});
     if (!next) return next.error();
     history_.push(title_of(command), std::move(*next));
   }
   plan_changed();
   return {};
+}
+
+/// Refuses what the tree at hand does not have; without one the search finds out.
+Result<void> Session::check_edit(const EditLiteral& command) const {
+  const auto result = current_result();
+  if (!result) return {};
+  Tree tree = result->found.tree;
+  return edit_literals(tree, {command.edit});
 }
 
 Result<void> Session::open(const std::filesystem::path& path) {
@@ -152,7 +167,8 @@ void Session::plan_changed() {
     start_reading();
     return;
   }
-  if (is_live_ && !current_result()) static_cast<void>(start_search());
+  // An edited tree is only measured again: no reason to wait for a key.
+  if ((is_live_ || unedited_result()) && !current_result()) static_cast<void>(start_search());
 }
 
 void Session::start_reading() {
@@ -202,9 +218,10 @@ int Session::add_search(const Project& project, std::string source) {
   Document document = history_.current();
   document.project = project;
   std::string name = source == "plan" ? "searching" : "searching (" + source + ")";
+  const auto base = project.edits.empty() ? nullptr : unedited_result();
   return jobs_.add(std::move(name),
-                   [this, document, source](const RunContext& run) -> JobCompletion {
-                     auto result = search(document, source, run);
+                   [this, document, base, source](const RunContext& run) -> JobCompletion {
+                     auto result = search(document, base, source, run);
                      return [this, result, searched = plan_text(document.project)] {
                        ++revision_;
                        if (result) {
@@ -235,7 +252,8 @@ Result<void> Session::start_search() {
 void Session::search_variants() {
   if (!document().is_ready()) return;
   for (const int job : std::exchange(variant_jobs_, {})) jobs_.cancel(job);
-  const Project& project = document().project;
+  Project project = document().project;
+  project.edits.clear();  // other trees have other literals
   const auto add = [this](Project variant, std::string name) {
     const std::string text = plan_text(variant);
     const bool is_known = std::any_of(results_.begin(), results_.end(),
@@ -295,9 +313,10 @@ Result<void> Session::export_tree(const ExportTree& command) {
   }
   const auto ready = current_result();
   jobs_.add("exporting",
-            [this, command, ready, document = document()](const RunContext& run) -> JobCompletion {
+            [this, command, ready, base = unedited_result(),
+             document = document()](const RunContext& run) -> JobCompletion {
               auto result = ready ? ready : Result<std::shared_ptr<const FoundResult>>(nullptr);
-              if (!ready) result = search(document, "plan", run);
+              if (!ready) result = search(document, base, "plan", run);
               Result<void> done;
               if (!result) {
                 done = result.error();
@@ -333,12 +352,21 @@ const std::vector<PartitionView>& Session::partitions() const {
   return derived_.partitions;
 }
 
-std::shared_ptr<const FoundResult> Session::current_result() const {
-  if (results_.empty()) return nullptr;
+std::shared_ptr<const FoundResult> Session::result_for(const std::string& plan) const {
   for (auto it = results_.rbegin(); it != results_.rend(); ++it) {
-    if ((*it)->plan == plan()) return *it;
+    if ((*it)->plan == plan) return *it;
   }
   return nullptr;
+}
+
+std::shared_ptr<const FoundResult> Session::current_result() const { return result_for(plan()); }
+
+/// The result that the plan's edits of literals start from; null without edits.
+std::shared_ptr<const FoundResult> Session::unedited_result() const {
+  Project project = document().project;
+  if (project.edits.empty()) return nullptr;
+  project.edits.clear();
+  return result_for(plan_text(project));
 }
 
 std::shared_ptr<const FoundResult> Session::shown_result() const {

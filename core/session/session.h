@@ -98,6 +98,7 @@ class Session {
   std::uint64_t revision() const { return revision_; }
 
  private:
+  Result<void> check_edit(const EditLiteral& command) const;
   Result<void> carry_out(const SessionCommand& command);
   Result<void> open(const std::filesystem::path& path);
   Result<void> save(const std::filesystem::path& path);
@@ -109,6 +110,8 @@ class Session {
                     std::shared_ptr<const DisplayMesh> display);
   void adopt_result(std::shared_ptr<const FoundResult> result);
   void start_view(const std::shared_ptr<const FoundResult>& result);
+  std::shared_ptr<const FoundResult> result_for(const std::string& plan) const;
+  std::shared_ptr<const FoundResult> unedited_result() const;
   int add_search(const Project& project, std::string source);
   void report(const Error& error);
   const std::string& plan() const;

@@ -86,26 +86,45 @@ void draw_node(Ui& ui, const Tree& tree, int index, const Place& place) {
   ImGui::PopID();
 }
 
-/// Values of a literal with their units, full precision on hover.
-void draw_inspector(Ui& ui, const Tree& tree) {
+/// One number of the picked literal; Enter makes the change.
+void draw_field(Ui& ui, int literal, const LiteralField& field, double diagonal) {
+  ImGui::PushID(field.name);
+  ImGui::AlignTextToFramePadding();
+  faint_text(ui, field.name);
+  ImGui::SameLine(ui.px(104));
+  double value = field.value;
+  ImGui::SetNextItemWidth(ui.px(104));
+  const bool is_done =
+      ImGui::InputDouble("##value", &value, 0, 0, "%.6g", ImGuiInputTextFlags_EnterReturnsTrue);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%.17g model units; Enter changes it", field.value);
+  const double rounder = suggested_value(field.value, diagonal);
+  if (rounder != field.value) {
+    ImGui::SameLine();
+    if (ImGui::Button(short_number(rounder).c_str())) {
+      static_cast<void>(ui.session.execute(EditLiteral{{literal, field.name, rounder}}));
+    }
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The round value close by.");
+  }
+  if (is_done && value != field.value) {
+    static_cast<void>(ui.session.execute(EditLiteral{{literal, field.name, value}}));
+  }
+  ImGui::PopID();
+}
+
+/// The numbers of the picked literal. Only a tree that belongs to the plan can be edited.
+void draw_inspector(Ui& ui, const FoundResult& result) {
+  const Tree& tree = result.found.tree;
   const int l = ui.state.picked_literal;
   if (l < 0 || static_cast<std::size_t>(l) >= tree.literals.size()) return;
   const Literal& literal = tree.literals[l];
-  heading(ui, "Inspector");
-  ImGui::TextUnformatted(describe_literal(literal).c_str());
-  const Vec3 at = literal.to_world(Vec3::Zero());
-  const Vec3 axis = literal.rotation.col(2);
-  const auto triple = [](const Vec3& v) {
-    return fmt::format("{}, {}, {}", short_number(v.x()), short_number(v.y()), short_number(v.z()));
-  };
-  const auto full = [](const Vec3& v) {
-    return fmt::format("{:.17g}, {:.17g}, {:.17g}", v.x(), v.y(), v.z());
-  };
-  row(ui, "origin", triple(at), full(at));
-  row(ui, "axis", triple(axis), full(axis));
-  if (literal.facets.sides > 0) {
-    row(ui, "facets in the mesh", std::to_string(literal.facets.sides), "");
-  }
+  heading(ui, describe_literal(literal).c_str());
+  const double diagonal = result.found.prepared.mesh->diagonal();
+  const auto current = ui.session.current_result();
+  ImGui::BeginDisabled(current.get() != &result);
+  ImGui::PushFont(ui.fonts.small);
+  for (const LiteralField& field : literal_fields(literal)) draw_field(ui, l, field, diagonal);
+  ImGui::PopFont();
+  ImGui::EndDisabled();
 }
 
 /// Axis limits with a margin, so that no dot sits on the frame.
@@ -268,7 +287,7 @@ void draw_result_panel(Ui& ui, const PanelArea& area) {
     if (ImGui::BeginTabItem("Tree")) {
       const bool has_pick = ui.state.picked_literal >= 0;
       ImGui::PushFont(ui.fonts.small);
-      if (ImGui::BeginChild("tree", {0, has_pick ? -ui.px(120) : 0}, false,
+      if (ImGui::BeginChild("tree", {0, has_pick ? -ui.px(204) : 0}, false,
                             ImGuiWindowFlags_HorizontalScrollbar)) {
         if (!result->found.tree.is_empty()) {
           draw_node(ui, result->found.tree, result->found.tree.root, {});
@@ -276,7 +295,7 @@ void draw_result_panel(Ui& ui, const PanelArea& area) {
       }
       ImGui::EndChild();
       ImGui::PopFont();
-      draw_inspector(ui, result->found.tree);
+      draw_inspector(ui, *result);
       ImGui::EndTabItem();
     }
     if (ImGui::BeginTabItem("Pareto")) {

@@ -71,7 +71,10 @@ void Viewport::sync_meshes(Ui& ui) {
     engine_.show_mesh(MeshSlot::Measured, result ? &result->input : nullptr);
     literal_states_.clear();
     must_draw_ = true;
-    ui.state.picked_literal = ui.state.hovered_literal = -1;
+    ui.state.hovered_literal = -1;
+    const auto shown = ui.session.shown_result();
+    const int literals = shown ? static_cast<int>(shown->found.tree.literals.size()) : 0;
+    if (ui.state.picked_literal >= literals) ui.state.picked_literal = -1;
   }
 }
 

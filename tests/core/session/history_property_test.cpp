@@ -16,7 +16,9 @@ class CommandSource {
   CommandSource(const Session& session, Rng& rng) : session_(session), rng_(rng) {}
 
   SessionCommand draw() {
-    switch (rng_.below(13)) {
+    switch (rng_.below(14)) {
+      case 13:
+        return edit_literal();
       case 0:
         return cut();
       case 1:
@@ -107,6 +109,10 @@ class CommandSource {
     PartitionPath target = path();
     return RenamePartition{std::move(target), "name " + std::to_string(rng_.below(100))};
   }
+  SessionCommand edit_literal() {
+    const int literal = small();
+    return EditLiteral{{literal, rng_.coin() ? "radius" : "height", rng_.uniform(-1, 5)}};
+  }
   SessionCommand set_op() {
     PartitionPath target = path();
     return SetPartitionOp{std::move(target), op()};
@@ -185,6 +191,7 @@ TEST_CASE("every kind of command survives its line") {
       MovePartition{{0}, {1, 0}, 2},
       SetOption{"tree", "starts", "2"},
       SetSeed{18446744073709551615ull},
+      EditLiteral{{3, "radius", 0.1}},
       SetPlan{"{}\n"},
       OpenFile{"a b.stl"},
       SaveProject{"p.json"},

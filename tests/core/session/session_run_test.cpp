@@ -142,6 +142,53 @@ TEST_CASE("a picked result puts its plan in place, and undo takes it back") {
   CHECK(session.current_result() == session.results().front());
 }
 
+TEST_CASE("an edited radius is measured anew, undone, saved and replayed") {
+  OpenSession open;
+  Session& session = open.session;
+  REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
+  REQUIRE(session.execute(Reconstruct{}));
+  session.wait();
+  const auto found = session.current_result();
+  REQUIRE(found);
+  int cylinder = -1;
+  const auto& literals = found->found.tree.literals;
+  for (std::size_t l = 0; l < literals.size(); ++l) {
+    if (literals[l].kind == SolidKind::Cylinder) cylinder = static_cast<int>(l);
+  }
+  REQUIRE(cylinder >= 0);
+  CHECK_FALSE(session.execute(EditLiteral{{cylinder, "size-x", 4}}));  // cylinders have none
+  CHECK_FALSE(session.execute(EditLiteral{{cylinder, "radius", -4}}));
+  CHECK_FALSE(session.execute(EditLiteral{{99, "radius", 4}}));
+  REQUIRE(session.execute(EditLiteral{{cylinder, "radius", 4}}));
+  session.wait();
+  const auto edited = session.current_result();
+  REQUIRE(edited);
+  CHECK(edited->found.tree.literals[cylinder].radius == 4);
+  CHECK(edited->found.tree.literals[cylinder].top_radius == 4);
+  CHECK(edited->found.score.iou < found->found.score.iou);
+  CHECK(edited->found.score.hausdorff > 0.9 / found->found.prepared.mesh->diagonal());
+
+  REQUIRE(session.execute(ExportTree{open.folder / "edited.scad"}));
+  session.wait();
+  const auto recorded = read_file(open.folder / "edited.scad");
+  REQUIRE(recorded);
+  REQUIRE(replay_log(session.log(), "log", one_thread()));
+  CHECK(*read_file(open.folder / "edited.scad") == *recorded);
+
+  const auto whole = parse_project(plan_text(session.document().project), "/");
+  REQUIRE(whole);
+  const auto again = reconstruct(*whole, one_thread());  // as the command line does it
+  REQUIRE(again);
+  CHECK(again->tree.literals[cylinder].radius == 4);
+  CHECK(again->score.iou == edited->found.score.iou);
+
+  REQUIRE(session.execute(Undo{}));
+  CHECK(session.current_result() == found);
+  REQUIRE(session.execute(Redo{}));
+  REQUIRE(session.execute(SetPartitionOp{{0}, Op::Union}));
+  CHECK(session.document().project.edits.empty());  // another tree
+}
+
 TEST_CASE("a replayed log writes the same files and ends at the same plan") {
   OpenSession open;
   Session& session = open.session;
