@@ -193,7 +193,17 @@ class Optimiser {
     rewrite.steps_per_literal *= options_.effort;
     rewrite.most_steps *= options_.effort;
     rewrite.most_work *= options_.effort;
-    return rewrite_search(std::move(f), cells, cared, rewrite, run_);
+    Formula best = rewrite_search(f, cells, cared, rewrite, run_);
+    // From far off, as from an inflated tree, a disjunctive form can be the better start.
+    constexpr std::size_t kMostCells = 2000;
+    if (cells.cells() > kMostCells) return best;
+    const Decomposition d = decompose(std::move(f), cells, cared, run_);
+    auto rest = rebuild_remaining(RemainingMethod::Espresso, d.rest, cells, d.care, {}, run_);
+    if (!rest) return rest;
+    Formula other = recomposed(d, std::move(*rest));
+    if (leaf_count(other) > 2 * leaf_count(best)) return best;
+    other = rewrite_search(std::move(other), cells, cared, rewrite, run_);
+    return leaf_count(other) < leaf_count(best) ? other : best;
   }
 
   /// The paper's way: decompose, rebuild what remains, put it back.
