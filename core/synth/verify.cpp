@@ -15,6 +15,9 @@ constexpr std::size_t kChunk = 512;
 constexpr double kInexact = 3e-5;
 /// Points closer to an inexact surface than this many tolerances prove nothing.
 constexpr double kInexactReach = 2.5;
+/// Of the diagonal: points this far from the mesh have a certain label whatever surfaces they lie on.
+/// Slabs between surfaces that are nearly one show only there.
+constexpr double kFarFromMesh = 5e-3;
 constexpr int kBoundaryTries = 24;  // per wanted point
 
 std::size_t chunks_of(int points) {
@@ -56,10 +59,13 @@ class Comparison {
         const bool is_inside = label == Label::Inside;
         if (solid_(p) == is_inside) {
           ++tallies[chunk].right;
-        } else if (!is_near_inexact(space_, p)) {
-          ++tallies[chunk].wrong;
-          if (is_certain(space_, p)) kept[chunk].push_back({p, is_inside});
+          return;
         }
+        const bool is_far =
+            space_.label->query().closest(p).distance > kFarFromMesh * space_.diagonal;
+        if (!is_far && is_near_inexact(space_, p)) return;
+        ++tallies[chunk].wrong;
+        if (is_far || is_certain(space_, p)) kept[chunk].push_back({p, is_inside});
       });
     });
     Tally total;
