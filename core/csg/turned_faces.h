@@ -5,9 +5,9 @@
 namespace hewn {
 
 /// Nearly the same solid, without turned faces that lie in one plane and have to cancel there: a
-/// tool's that ends flush with what it cuts, or two abutting solids'. Modellers round the corners of
-/// turned literals, so such faces miss each other by a rounding error and leave sheets or cracks as
-/// large as the faces. Of each two, the face that decides is moved out of its literal by a round
+/// tool's that ends flush with what it cuts, or two abutting solids'. Modellers round the corners
+/// of turned literals, so such faces miss each other by a rounding error and leave sheets or cracks
+/// as large as the faces. Of each two, the face that decides is moved out of its literal by a round
 /// amount of at most 1e-5 of the diagonal, so that solids overlap and tools reach through. Faces
 /// parallel to the tree's main axes (those of most literals) have equal coordinates and stay.
 /// Cost: O(literals^2) comparisons of planes.

@@ -8,8 +8,8 @@
 #include "core/segment/leftovers.h"
 #include "core/segment/plane_rings.h"
 #include "core/segment/polish.h"
-#include "core/segment/scattered.h"
 #include "core/segment/relax_borders.h"
+#include "core/segment/scattered.h"
 
 namespace hewn {
 namespace {

@@ -239,7 +239,8 @@ class TreeSearch {
       if (f) solutions.push_back(std::move(*f));
     }
     if (solutions.empty()) return false;
-    // Successive halving: fewer and fewer, for longer and longer; in pairs, which two threads share.
+    // Successive halving: fewer and fewer, for longer and longer; in pairs, which two threads
+    // share.
     int task = 100;
     for (int share = kFirstShare; share >= 1; share /= 2) {
       keep_cheapest(solutions, (solutions.size() + 3) / 4 * 2);

@@ -15,8 +15,8 @@ constexpr std::size_t kChunk = 512;
 constexpr double kInexact = 3e-5;
 /// Points closer to an inexact surface than this many tolerances prove nothing.
 constexpr double kInexactReach = 2.5;
-/// Of the diagonal: points this far from the mesh have a certain label whatever surfaces they lie on.
-/// Slabs between surfaces that are nearly one show only there.
+/// Of the diagonal: points this far from the mesh have a certain label whatever surfaces they lie
+/// on. Slabs between surfaces that are nearly one show only there.
 constexpr double kFarFromMesh = 5e-3;
 constexpr int kBoundaryTries = 24;  // per wanted point
 
