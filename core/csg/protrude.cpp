@@ -66,9 +66,10 @@ class Protruder {
     const int u = (end.axis + 1) % 3;
     const int v = (end.axis + 2) % 3;
     for (int i = 0; i < kProbes * kProbes; ++i) {
+      const int row = i / kProbes;
       Vec3 p = plane.lo;
-      p[u] += (plane.hi[u] - plane.lo[u]) * (i % kProbes + 0.5) / kProbes;
-      p[v] += (plane.hi[v] - plane.lo[v]) * (i / kProbes + 0.5) / kProbes;
+      p[u] += plane.size()[u] * (i % kProbes + 0.5) / kProbes;
+      p[v] += plane.size()[v] * (row + 0.5) / kProbes;
       if (!is_over_end(s, end, p, 0)) continue;
       if (std::abs(rest_at(s, p)) <= touching && rest_at(s, p - outward * 4 * touching) < 0) {
         return true;

@@ -134,9 +134,10 @@ class Separation {
     const int u = (end.axis + 1) % 3;
     const int v = (end.axis + 2) % 3;
     for (int i = 0; i < kProbes * kProbes; ++i) {
+      const int row = i / kProbes;
       Vec3 p = plane.lo;
       p[u] += plane.size()[u] * (i % kProbes + 0.5) / kProbes;
-      p[v] += plane.size()[v] * (i / kProbes + 0.5) / kProbes;
+      p[v] += plane.size()[v] * (row + 0.5) / kProbes;
       if (is_over_end(l, end, p, 0) && is_over_end(m, other, m.to_local(l.to_world(p)), 0)) {
         return true;
       }

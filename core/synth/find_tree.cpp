@@ -194,7 +194,7 @@ class TreeSearch {
 
   /// In (0, 1]: less for problems whose terms take long to grow, so that large parts end in time.
   double effort() const {
-    const double work = static_cast<double>(columns_->halfspaces() * columns_->words());
+    const auto work = static_cast<double>(columns_->halfspaces() * columns_->words());
     return std::clamp(kFullEffortWork / work, 0.05, 1.0);
   }
 
