@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/csg/prism.h"
+
 namespace hewn {
 namespace {
 
@@ -13,7 +15,7 @@ double radius_at(const Literal& s, double z) {
 /// Of the literal in its local coordinates; flanks as wide as the wider end.
 LocalBox local_box(const Literal& s) {
   if (s.kind == SolidKind::Box) return {Vec3::Zero(), s.size};
-  const double r = std::max(s.radius, s.top_radius);
+  const double r = s.kind == SolidKind::Prism ? circumradius(s) : std::max(s.radius, s.top_radius);
   return {Vec3(-r, -r, 0), Vec3(r, r, s.height)};
 }
 
@@ -22,7 +24,8 @@ LocalBox local_box(const Literal& s) {
 std::vector<FlatEnd> flat_ends(const Literal& literal) {
   std::vector<FlatEnd> ends;
   const bool is_box = literal.kind == SolidKind::Box;
-  if (literal.stretch || (!is_box && literal.kind != SolidKind::Cylinder)) return ends;
+  const bool is_upright = literal.kind == SolidKind::Cylinder || literal.kind == SolidKind::Prism;
+  if (literal.stretch || (!is_box && !is_upright)) return ends;
   for (int axis = is_box ? 0 : 2; axis < 3; ++axis) {
     for (const bool is_upper : {false, true}) ends.push_back({axis, is_upper});
   }
@@ -43,6 +46,8 @@ double plane_offset(const Literal& literal, FlatEnd end) {
 Literal with_moved_end(Literal s, FlatEnd end, double amount) {
   if (s.kind == SolidKind::Box) {
     s.size[end.axis] += amount;
+  } else if (s.kind == SolidKind::Prism) {
+    s.height += amount;
   } else {
     const double slope = (s.top_radius - s.radius) / s.height;
     if (end.is_upper) s.top_radius += slope * amount;
@@ -73,6 +78,9 @@ bool is_over_end(const Literal& s, FlatEnd end, const Vec3& local, double margin
       if (c != end.axis && (local[c] < -margin || local[c] > s.size[c] + margin)) return false;
     }
     return true;
+  }
+  if (s.kind == SolidKind::Prism) {
+    return prism_distance(s, Vec3(local.x(), local.y(), s.height / 2)) < margin;
   }
   const double r = std::max(end.is_upper ? s.top_radius : s.radius, radius_at(s, local.z()));
   return std::hypot(local.x(), local.y()) < r + margin;

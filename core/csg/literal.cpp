@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/csg/prism.h"
 #include "core/mesh/query.h"
 
 namespace hewn {
@@ -88,6 +89,8 @@ double canonical_distance(const Literal& s, const Vec3& p) {
       return box_distance(p, s.size);
     case SolidKind::Cylinder:
       return frustum_distance(s, p);
+    case SolidKind::Prism:
+      return prism_distance(s, p);
     case SolidKind::Sphere:
       return p.norm() - s.radius;
     case SolidKind::Torus:
@@ -102,6 +105,18 @@ double canonical_distance(const Literal& s, const Vec3& p) {
 /// Half-extents of a unit disc whose axes are two columns of `map`.
 Vec3 disc_extent(const Mat3& map) {
   return (map.col(0).cwiseAbs2() + map.col(1).cwiseAbs2()).cwiseSqrt();
+}
+
+/// The bounds of a prism's corners in space.
+Box3 prism_bounds(const Literal& s) {
+  Box3 box;
+  for (int k = 0; k < s.sides; ++k) {
+    const Vec2 corner = prism_corner(s, k);
+    for (const double z : {0.0, s.height}) {
+      box.extend(s.to_world(Vec3(corner.x(), corner.y(), z)));
+    }
+  }
+  return box;
 }
 
 /// The bounds of a stretched literal: those of discs and balls under a linear map.
@@ -126,6 +141,8 @@ Box3 stretched_bounds(const Literal& s) {
       box.extend(end.hi);
       break;
     }
+    case SolidKind::Prism:
+      return prism_bounds(s);
     case SolidKind::Sphere:
       box = around(center, ball * s.radius);
       break;
@@ -171,6 +188,8 @@ Box3 Literal::bounds() const {
       box.extend(top.hi);
       break;
     }
+    case SolidKind::Prism:
+      return prism_bounds(*this);
     case SolidKind::Sphere:
       box = around(center, Vec3::Constant(radius));
       break;
@@ -199,6 +218,8 @@ const char* name_of(SolidKind kind) {
       return "cube";
     case SolidKind::Cylinder:
       return "cylinder";
+    case SolidKind::Prism:
+      return "prism";
     case SolidKind::Sphere:
       return "sphere";
     case SolidKind::Torus:

@@ -12,7 +12,7 @@ namespace hewn {
 
 class MeshQuery;
 
-enum class SolidKind { Box, Cylinder, Sphere, Torus, Polyhedron };
+enum class SolidKind { Box, Cylinder, Prism, Sphere, Torus, Polyhedron };
 
 /// How the input mesh approximated a curved literal, for export that reproduces its facets.
 struct Facets {
@@ -39,16 +39,18 @@ struct Stretch {
 /// `stretch^-1 (rotation^T x - origin)`.
 ///
 /// Canonical positions: Box [0, size]; Cylinder (a frustum when the radii differ) around z from
-/// z = 0 to `height`; Sphere at the origin; Torus around z; Polyhedron as its mesh says.
+/// z = 0 to `height`; Prism, a regular one, likewise (see prism.h); Sphere at the origin; Torus
+/// around z; Polyhedron as its mesh says.
 struct Literal {
   SolidKind kind = SolidKind::Box;
   Mat3 rotation = Mat3::Identity();
   Vec3 origin = Vec3::Zero();
   Vec3 size = Vec3::Zero();  ///< box
-  double height = 0;         ///< cylinder
-  double radius = 0;         ///< sphere; cylinder: at z = 0; torus: of the tube
+  double height = 0;         ///< cylinder, prism
+  double radius = 0;         ///< sphere; cylinder: at z = 0; prism: inscribed; torus: of the tube
   double top_radius = 0;     ///< cylinder: at z = height
   double major_radius = 0;   ///< torus
+  int sides = 0;             ///< prism, >= 3
   std::shared_ptr<const Mesh> polyhedron;
   /// Answers distances to `polyhedron` in O(log triangles); without it each costs O(triangles).
   std::shared_ptr<const MeshQuery> polyhedron_query;
@@ -85,7 +87,7 @@ Literal polyhedron_literal(std::shared_ptr<const Mesh> mesh);
 /// lose their phase. Requires: an invertible, finite map.
 Literal transformed(const Literal& literal, const Affine3& map);
 
-/// "cube", "cylinder", "sphere", "torus" or "polyhedron".
+/// "cube", "cylinder", "prism", "sphere", "torus" or "polyhedron".
 const char* name_of(SolidKind kind);
 
 }  // namespace hewn

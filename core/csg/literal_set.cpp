@@ -15,6 +15,8 @@ bool is_same_solid(const Literal& a, const Literal& b) {
       return a.size == b.size;
     case SolidKind::Cylinder:
       return a.height == b.height && a.radius == b.radius && a.top_radius == b.top_radius;
+    case SolidKind::Prism:
+      return a.sides == b.sides && a.height == b.height && a.radius == b.radius;
     case SolidKind::Sphere:
       return a.radius == b.radius;
     case SolidKind::Torus:

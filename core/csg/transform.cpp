@@ -43,11 +43,14 @@ bool fits(const Literal& s, const Mat3& m) {
   if (!is_upright || !are_orthogonal(m.col(0), m.col(1))) return false;
   if (s.kind == SolidKind::Box) return true;
   if (!are_same(m.col(0).norm(), m.col(1).norm())) return false;
-  return s.kind == SolidKind::Cylinder || are_same(m.col(0).norm(), m.col(2).norm());
+  const bool is_prismatic = s.kind == SolidKind::Cylinder || s.kind == SolidKind::Prism;
+  return is_prismatic || are_same(m.col(0).norm(), m.col(2).norm());
 }
 
 void put_into_fields(Literal& s, const Mat3& m, const Vec3& at) {
-  const ScaledFrame f = frame_of(m);
+  ScaledFrame f = frame_of(m);
+  // A prism is symmetric about its local x axis, so it is y that a mirror may turn round.
+  if (f.is_mirrored && s.kind == SolidKind::Prism) f.rotation.leftCols<2>() *= -1;
   s.stretch.reset();
   s.rotation = f.rotation;
   s.origin = f.rotation.transpose() * at;

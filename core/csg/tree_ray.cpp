@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/csg/prism.h"
+
 namespace hewn {
 namespace {
 
@@ -213,6 +215,14 @@ void TreeRays::cast_literal(int literal, const Ray& ray, Intervals& out) const {
       clip_flank(span, o, d, shape.radius, (shape.top_radius - shape.radius) / shape.height);
       add(out, span, literal);
       break;
+    case SolidKind::Prism:
+      clip_slab(span, o.z(), d.z(), 0, shape.height, shape.sides, shape.sides + 1);
+      for (int k = 0; k < shape.sides; ++k) {
+        const Vec2 n = prism_side_normal(shape, k);
+        clip_slab(span, n.dot(o.head<2>()), n.dot(d.head<2>()), -kInfinity, shape.radius, k, k);
+      }
+      add(out, span, literal);
+      break;
     case SolidKind::Sphere:
       if (!roots(d.squaredNorm(), o.dot(d), o.squaredNorm() - shape.radius * shape.radius,
                  span.enter, span.leave)) {
@@ -296,6 +306,11 @@ Vec3 TreeRays::normal(const TreeCrossing& crossing, const Vec3& position,
       if (crossing.face == 0) {
         const double slope = (shape.top_radius - shape.radius) / shape.height;
         local = Vec3(x.x(), x.y(), -slope * std::hypot(x.x(), x.y())).normalized();
+      }
+      break;
+    case SolidKind::Prism:
+      if (crossing.face < shape.sides) {
+        local << prism_side_normal(shape, crossing.face), 0;
       }
       break;
     case SolidKind::Sphere:

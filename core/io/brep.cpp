@@ -21,6 +21,7 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
@@ -33,6 +34,8 @@
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
 #include <gp_GTrsf.hxx>
+
+#include "core/csg/prism.h"
 
 namespace hewn {
 namespace {
@@ -55,6 +58,18 @@ TopoDS_Shape spindle_torus(const gp_Ax2& frame, double major, double minor) {
                                BRepBuilderAPI_MakeEdge(at(0, reach), at(0, -reach)).Edge());
   BRepBuilderAPI_MakeFace face(wire.Wire());
   return BRepPrimAPI_MakeRevol(face.Face(), gp_Ax1(frame.Location(), z)).Shape();
+}
+
+TopoDS_Shape regular_prism(const Literal& s, const gp_Ax2& frame, double k) {
+  BRepBuilderAPI_MakePolygon outline;
+  for (int i = 0; i < s.sides; ++i) {
+    const Vec2 corner = k * prism_corner(s, i);
+    outline.Add(gp_Pnt(frame.Location().XYZ() + frame.XDirection().XYZ() * corner.x() +
+                       frame.YDirection().XYZ() * corner.y()));
+  }
+  outline.Close();
+  const BRepBuilderAPI_MakeFace face(outline.Wire(), true);
+  return BRepPrimAPI_MakePrism(face.Face(), gp_Vec(frame.Direction()) * (s.height * k)).Shape();
 }
 
 class BrepBuilder {
@@ -117,6 +132,8 @@ class BrepBuilder {
           return BRepPrimAPI_MakeCylinder(frame, s.radius * k, s.height * k).Shape();
         }
         return BRepPrimAPI_MakeCone(frame, s.radius * k, s.top_radius * k, s.height * k).Shape();
+      case SolidKind::Prism:
+        return regular_prism(s, frame, k);
       case SolidKind::Sphere:
         return BRepPrimAPI_MakeSphere(frame, s.radius * k).Shape();
       case SolidKind::Torus:

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
+#include "core/csg/prism.h"
 #include "core/mesh/query.h"
 
 namespace hewn {
@@ -46,6 +47,11 @@ void put_shape(const Literal& s, Json& out) {
       out["height"] = s.height;
       out["radius"] = s.radius;
       out["top_radius"] = s.top_radius;
+      break;
+    case SolidKind::Prism:
+      out["sides"] = s.sides;
+      out["height"] = s.height;
+      out["radius"] = s.radius;
       break;
     case SolidKind::Torus:
       out["major_radius"] = s.major_radius;
@@ -213,14 +219,14 @@ class TreeReader {
     for (const Op known : {Op::Union, Op::Intersection, Op::Difference, Op::Complement}) {
       if (op == name_of(known)) return operation(known, value, path, depth);
     }
-    for (const SolidKind kind : {SolidKind::Box, SolidKind::Cylinder, SolidKind::Sphere,
-                                 SolidKind::Torus, SolidKind::Polyhedron}) {
+    for (const SolidKind kind : {SolidKind::Box, SolidKind::Cylinder, SolidKind::Prism,
+                                 SolidKind::Sphere, SolidKind::Torus, SolidKind::Polyhedron}) {
       if (op == hewn::name_of(kind)) return leaf(kind, value, path);
     }
     fail(path + "/op", op.empty() ? "\"op\" is missing or no text"
                                   : fmt::format("unknown op \"{}\"; known are union, intersection, "
-                                                "difference, complement, cube, cylinder, sphere, "
-                                                "torus and polyhedron",
+                                                "difference, complement, cube, cylinder, prism, "
+                                                "sphere, torus and polyhedron",
                                                 op.substr(0, 40)));
     return -1;
   }
@@ -294,6 +300,14 @@ class TreeReader {
         s.height = length(value, path, "height");
         s.radius = length(value, path, "radius");
         s.top_radius = length(value, path, "top_radius");
+        break;
+      case SolidKind::Prism:
+        s.sides = integer(value, path, "sides");
+        if (s.sides < 3 || s.sides > kMostPrismSides) {
+          fail(path + "/sides", fmt::format("a prism has 3 to {} sides", kMostPrismSides));
+        }
+        s.height = length(value, path, "height");
+        s.radius = length(value, path, "radius");
         break;
       case SolidKind::Torus:
         s.major_radius = length(value, path, "major_radius");

@@ -12,6 +12,7 @@
 #include "core/csg/turned_faces.h"
 #include "core/io/scad_literal.h"
 #include "core/io/scad_names.h"
+#include "core/io/scad_prism.h"
 
 namespace hewn {
 namespace {
@@ -76,10 +77,18 @@ class ScadWriter {
       prefix = "scale(" + decimal_text(1, style_.unit_exponent) + ") ";
     }
     body = block(prefix + turn(0, frames_.root), {tree_.root}, frames_.root, 0);
-    return modules_ + body;
+    return prism_module() + modules_ + body;
   }
 
  private:
+  std::string prism_module() const {
+    const bool has_prism = std::any_of(tree_.literals.begin(), tree_.literals.end(),
+                                       [](const Literal& s) { return s.kind == SolidKind::Prism; });
+    if (!has_prism) return "";
+    return fmt::format("// A regular prism; r is the radius of the inscribed circle.\n{}\n",
+                       kPrismModule);
+  }
+
   /// Text of `rotate` from one frame to another.
   std::string turn(int from, int to) const {
     if (from == to) return "";

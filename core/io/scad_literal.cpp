@@ -25,7 +25,8 @@ class LiteralPrinter {
       case SolidKind::Box:
         return box();
       case SolidKind::Cylinder:
-        return cylinder();
+      case SolidKind::Prism:
+        return upright();
       case SolidKind::Sphere:
         return translate(quantized(center())) + facet_turn(Mat3::Identity(), 0) + sphere_call();
       case SolidKind::Torus: {
@@ -50,7 +51,7 @@ class LiteralPrinter {
     }
     const Vec3 base = turn.is_flipped ? Vec3(center() + axis * literal_.height) : center();
     const Steps height = std::max<Steps>(1, quantize(literal_.height));
-    return translate(quantized(base)) + rotate + cylinder_call(height, turn.is_flipped, false);
+    return translate(quantized(base)) + rotate + upright_call(height, turn.is_flipped, false);
   }
 
  private:
@@ -94,7 +95,8 @@ class LiteralPrinter {
     return translate(lo) + "cube(" + extent + ");";
   }
 
-  std::string cylinder() const {
+  /// A cylinder or prism.
+  std::string upright() const {
     const AlongColumn axis = along_column(frame_, literal_.rotation.col(2), style_.tolerance_rad);
     const int k = axis.index;
     const double z = literal_.origin.z();
@@ -105,11 +107,17 @@ class LiteralPrinter {
     // rotate([90, 0, 0]) takes z to -y: such a cylinder starts at its far end.
     const bool starts_far = k == 1;
     const bool is_flipped = (axis.sign < 0) != starts_far;
-    const bool is_centered = lo * 2 == -height;
+    const bool is_centered = literal_.kind == SolidKind::Cylinder && lo * 2 == -height;
     Steps3 position = quantized(center());
     position[k] = is_centered ? 0 : starts_far ? lo + height : lo;
     return translate(position) + axis_turn(k) + facet_turn(axis_matrix(k), 0) +
-           cylinder_call(height, is_flipped, is_centered);
+           upright_call(height, is_flipped, is_centered);
+  }
+
+  std::string upright_call(Steps height, bool is_flipped, bool is_centered) const {
+    if (literal_.kind != SolidKind::Prism) return cylinder_call(height, is_flipped, is_centered);
+    return fmt::format("prism(sides = {}, r = {}, h = {});", literal_.sides,
+                       text(positive(literal_.radius)), text(height));
   }
 
   static std::string axis_turn(int k) {
@@ -127,14 +135,17 @@ class LiteralPrinter {
 
   bool has_facets() const { return style_.match_facets && literal_.facets.sides >= 3; }
 
-  /// The turn about the printed z axis that brings the first vertex to the mesh's.
+  /// The turn about the printed z axis that brings the first vertex to the literal's own: the
+  /// mesh's, or a prism's first corner.
   std::string facet_turn(const Mat3& printed, double first_vertex_rad) const {
-    if (!has_facets()) return "";
+    const bool is_prism = literal_.kind == SolidKind::Prism;
+    if (!is_prism && !has_facets()) return "";
     if (literal_.kind == SolidKind::Sphere) return sphere_turn();
-    const double phase = literal_.facets.phase_rad;
+    const double phase = is_prism ? 0 : literal_.facets.phase_rad;
     const Vec3 vertex = literal_.rotation * Vec3(std::cos(phase), std::sin(phase), 0);
     const Vec3 local = printed.transpose() * (frame_.transpose() * vertex);
-    return turn_about_z(std::atan2(local.y(), local.x()) - first_vertex_rad, literal_.facets.sides);
+    return turn_about_z(std::atan2(local.y(), local.x()) - first_vertex_rad,
+                        is_prism ? literal_.sides : literal_.facets.sides);
   }
 
   std::string turn_about_z(double angle_rad, int sides) const {
@@ -265,6 +276,10 @@ class LiteralPrinter {
     if (s.kind == SolidKind::Torus) {
       return "rotate_extrude() translate([" + part(s.major_radius) +
              ", 0]) circle(r = " + part(s.radius) + ");";
+    }
+    if (s.kind == SolidKind::Prism) {
+      return fmt::format("prism(sides = {}, r = {}, h = {});", s.sides, part(s.radius),
+                         part(s.height));
     }
     return "cylinder(h = " + part(s.height) + ", r1 = " + part(s.radius) +
            ", r2 = " + part(s.top_radius) + own_sides(s.facets.sides) + ");";

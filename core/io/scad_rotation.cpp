@@ -57,7 +57,9 @@ std::vector<Mat3> quarter_turns() {
 }
 
 bool has_axis(const Literal& s) {
-  return !s.stretch && (s.kind == SolidKind::Cylinder || s.kind == SolidKind::Torus);
+  const bool has_axis =
+      s.kind == SolidKind::Cylinder || s.kind == SolidKind::Prism || s.kind == SolidKind::Torus;
+  return has_axis && !s.stretch;
 }
 
 /// Stretched literals are printed by their matrix, in any frame.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/csg/prism.h"
+
 namespace hewn {
 namespace {
 
@@ -24,6 +26,9 @@ class ProbeMaker {
       case SolidKind::Cylinder:
         flank();
         caps();
+        break;
+      case SolidKind::Prism:
+        polyhedron(prism_mesh(s_));
         break;
       case SolidKind::Sphere:
         for (const double side : {-1.0, 1.0}) sphere(s_.radius + side * offset_);
@@ -200,7 +205,15 @@ std::vector<FacePlane> planes_of(const Literal& s) {
       add(axis, s.size);
     }
   }
-  if (s.kind == SolidKind::Cylinder) {
+  if (s.kind == SolidKind::Prism) {
+    const Mesh mesh = prism_mesh(s);
+    for (int k = 0; k < s.sides; ++k) {
+      const Vec2 n = prism_side_normal(s, k);
+      const Vec3 normal = (normals * Vec3(n.x(), n.y(), 0)).normalized();
+      planes.push_back({s.to_world(mesh.vertices[k]), normal});
+    }
+  }
+  if (s.kind == SolidKind::Cylinder || s.kind == SolidKind::Prism) {
     add(2, Vec3::Zero());
     add(2, Vec3::UnitZ() * s.height);
   }

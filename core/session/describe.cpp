@@ -101,6 +101,9 @@ std::string describe_literal(const Literal& literal) {
       }
       return fmt::format("cylinder r {}, h {}", short_number(literal.radius),
                          short_number(literal.height));
+    case SolidKind::Prism:
+      return fmt::format("prism of {} sides, r {}, h {}", literal.sides,
+                         short_number(literal.radius), short_number(literal.height));
     case SolidKind::Sphere:
       return fmt::format("sphere r {}", short_number(literal.radius));
     case SolidKind::Torus:

@@ -32,6 +32,9 @@ std::vector<FieldRef> field_refs(Literal& literal) {
       }
       refs.push_back({"height", &literal.height, true});
       break;
+    case SolidKind::Prism:
+      refs = {{"radius", &literal.radius, true}, {"height", &literal.height, true}};
+      break;
     case SolidKind::Sphere:
       refs = {{"radius", &literal.radius, true}};
       break;

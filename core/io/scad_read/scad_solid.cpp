@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/csg/prism.h"
 #include "core/io/scad_read/scad_matrix.h"
 #include "core/io/scad_read/scad_parser.h"
 #include "core/mesh/load.h"
@@ -15,7 +16,7 @@ namespace hewn {
 namespace {
 
 /// Two rings of corners, or one and an apex, as a closed mesh around z.
-Mesh prism(int sides, double bottom, double top, double height) {
+Mesh faceted_cone(int sides, double bottom, double top, double height) {
   std::vector<Vec3> vertices;
   const auto ring = [&](double radius, double z) {
     if (radius == 0) {
@@ -53,6 +54,7 @@ class SolidReader {
     Literal s;
     if (node_.name == "cube") s = cube();
     if (node_.name == "cylinder") s = cylinder();
+    if (node_.name == "prism") s = regular_prism();
     if (node_.name == "sphere") s = sphere();
     if (node_.name == "polyhedron") s = polyhedron();
     if (node_.name == "rotate_extrude") s = torus();
@@ -134,13 +136,34 @@ class SolidReader {
     const double base = is_centered(3) ? -s.height / 2 : 0;
     const int n = sides(node_);
     if (fault_) return s;
+    if (is_prism(n) && s.radius == s.top_radius) {
+      s.kind = SolidKind::Prism;
+      s.sides = n;
+      s.radius *= std::cos(kPi / n);
+      s.origin.z() = base;
+      return s;
+    }
     if (is_prism(n)) {
-      const Mesh mesh = prism(n, s.radius, s.top_radius, s.height);
+      const Mesh mesh = faceted_cone(n, s.radius, s.top_radius, s.height);
       s = polyhedron_literal(std::make_shared<const Mesh>(mesh));
       return transformed(s, Affine3(Eigen::Translation3d(0, 0, base)));
     }
     s.origin.z() = base;
     s.facets.sides = n;
+    return s;
+  }
+
+  Literal regular_prism() {
+    Literal s;
+    s.kind = SolidKind::Prism;
+    const double sides = number(node_, "sides", 0).value_or(0);
+    if (!(sides >= 3 && sides <= kMostPrismSides) || sides != std::floor(sides)) {
+      fail(fmt::format("'sides' must be a whole number from 3 to {}", kMostPrismSides));
+      return s;
+    }
+    s.sides = static_cast<int>(sides);
+    s.radius = positive(number(node_, "r", 1).value_or(0), "the radius");
+    s.height = positive(number(node_, "h", 2).value_or(0), "the height");
     return s;
   }
 
@@ -255,8 +278,8 @@ class SolidReader {
 }  // namespace
 
 bool is_solid(std::string_view name) {
-  return name == "cube" || name == "cylinder" || name == "sphere" || name == "polyhedron" ||
-         name == "rotate_extrude";
+  return name == "cube" || name == "cylinder" || name == "prism" || name == "sphere" ||
+         name == "polyhedron" || name == "rotate_extrude";
 }
 
 Result<Literal> scad_solid(const ScadNode& node, const ScadScope& scope,

@@ -14,7 +14,7 @@ struct ScadScope {
   int most_prism_sides = 8;  ///< circles with so many explicit sides or fewer are polygons
 };
 
-/// cube, cylinder, sphere, polyhedron or rotate_extrude of a circle.
+/// cube, cylinder, prism (see scad_prism.h), sphere, polyhedron or rotate_extrude of a circle.
 bool is_solid(std::string_view name);
 
 /// The primitive in its own coordinates. Curved ones are exact; few explicit sides make a prism.

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/io/scad_prism.h"
 #include "core/io/scad_read/scad_matrix.h"
 #include "core/io/scad_read/scad_parser.h"
 #include "core/io/scad_read/scad_solid.h"
@@ -62,10 +63,10 @@ class TreeBuilder {
     if (n.name == "intersection") return operation(Op::Intersection, n.children, inner(n, place));
     if (n.name == "echo" && n.children.empty()) return kNothing;
     if (is_transformation(n.name)) return moved(n, place);
-    if (is_solid(n.name)) return solid(n, place);
     if (const auto m = modules_.find(n.name); m != modules_.end()) {
       return module(n, *m->second, place);
     }
+    if (is_solid(n.name)) return solid(n, place);
     return rendered(n, place);
   }
 
@@ -168,11 +169,23 @@ class TreeBuilder {
   std::optional<Error> fault_;
 };
 
+/// The writer's own module for prisms is known here; blanks keep the places of what follows.
+std::string without_prism_module(std::string_view text) {
+  std::string rest(text);
+  const std::size_t at = rest.find(kPrismModule);
+  if (at == std::string::npos) return rest;
+  for (std::size_t i = at; i < at + kPrismModule.size(); ++i) {
+    if (rest[i] != '\n') rest[i] = ' ';
+  }
+  return rest;
+}
+
 }  // namespace
 
 Result<Tree> tree_from_scad(std::string_view text, const std::string& source,
                             const ScadReadOptions& options, const RunContext& run) {
-  const auto design = parse_scad(text, source);
+  const std::string known = without_prism_module(text);
+  const auto design = parse_scad(known, source);
   if (!design) return design.error();
   return TreeBuilder(text, source, options, run).run(*design);
 }

@@ -33,6 +33,7 @@ void TermGrower::start(const GrowRequest& request) {
   }
   others_at_start_ = others_;
   literals_.clear();
+  prism_ = -1;
   has_planes_ = false;
   primitives_ = 0;
   candidates_.clear();
@@ -69,10 +70,42 @@ bool TermGrower::take_curved(const GrowRequest& request, Rng& rng) {
   for (const Candidate& c : candidates_) {
     if (c.inside && !c.is_plane) curved.push_back(c.halfspace);
   }
-  if (curved.empty()) return false;
-  take(curved[rng.below(curved.size())], true);
+  std::vector<int> prisms;
+  for (std::size_t k = 0; k < combinability_->prisms().size(); ++k) {
+    if (may_hold_seed(combinability_->prisms()[k])) prisms.push_back(static_cast<int>(k));
+  }
+  if (curved.empty() && prisms.empty()) return false;
+  const std::size_t pick = rng.below(curved.size() + prisms.size());
+  if (pick < curved.size()) {
+    take(curved[pick], true);
+  } else {
+    take_prism(prisms[pick - curved.size()]);
+  }
   primitives_ = 1;
   return true;
+}
+
+bool TermGrower::may_hold_seed(const RegularPrism& prism) const {
+  return std::all_of(prism.sides.begin(), prism.sides.end(), [this](const TermLiteral& side) {
+    return candidates_[static_cast<std::size_t>(side.halfspace)].inside == side.inside;
+  });
+}
+
+void TermGrower::take_prism(int prism) {
+  prism_ = prism;
+  for (const TermLiteral& side : combinability_->prisms()[static_cast<std::size_t>(prism)].sides) {
+    take(side.halfspace, side.inside);
+  }
+  for (Candidate& c : candidates_) {
+    c.is_cap = c.is_cap || (c.is_plane && combinability_->caps_prism(c.halfspace, prism));
+  }
+}
+
+/// Of the prism that was taken: without it the others would cost more.
+bool TermGrower::is_prism_side(const TermLiteral& literal) const {
+  if (prism_ < 0) return false;
+  const auto& sides = combinability_->prisms()[static_cast<std::size_t>(prism_)].sides;
+  return std::find(sides.begin(), sides.end(), literal) != sides.end();
 }
 
 /// Counts what each candidate keeps, and forgets those that exclude nothing: they never will again.
@@ -134,6 +167,10 @@ TermGrower::Choice TermGrower::choose(const GrowRequest& request, int others, bo
 /// Removes literals, the first first, that purity does not need.
 void TermGrower::drop_redundant() {
   for (std::size_t k = 0; k < literals_.size() && literals_.size() > 1;) {
+    if (is_prism_side(literals_[k])) {
+      ++k;
+      continue;
+    }
     rest_ = others_at_start_;
     bool is_pure = false;
     for (std::size_t m = 0; m < literals_.size() && !is_pure; ++m) {

@@ -42,7 +42,7 @@ class TermGrower {
     bool inside;
     bool is_plane;
     bool shares_box;  ///< square to every plane taken so far
-    bool is_cap;      ///< caps a curved literal taken so far
+    bool is_cap;      ///< caps a curved literal or prism taken so far
   };
   struct Choice {
     double gain = 0;
@@ -52,6 +52,9 @@ class TermGrower {
   void start(const GrowRequest& request);
   bool take_curved(const GrowRequest& request, Rng& rng);
   void take(int halfspace, bool inside);
+  void take_prism(int prism);
+  bool may_hold_seed(const RegularPrism& prism) const;
+  bool is_prism_side(const TermLiteral& literal) const;
   void count_candidates(int others);
   Choice choose(const GrowRequest& request, int others, bool preferred_only, Rng& rng) const;
   bool is_preferred(GrowMode mode, const Candidate& candidate) const;
@@ -63,6 +66,7 @@ class TermGrower {
   std::vector<double> log_;
   std::vector<Word> others_, others_at_start_, same_, rest_;
   std::vector<TermLiteral> literals_;
+  int prism_ = -1;  ///< taken as a whole, if any
   bool has_planes_ = false;
   int primitives_ = 0;  ///< begun so far; dropping redundant literals may save one or two
   std::vector<Candidate> candidates_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/csg/prism.h"
 #include "core/synth/decompose/term_cost.h"
 
 namespace hewn {
@@ -115,7 +116,7 @@ class Lowering {
       // Unbounded sides: solids end with the geometry, tools reach beyond it, and what is taken
       // out of a tool reaches beyond the tool.
       const int reach = (t.fills && !options_.is_tool ? 0 : 1) + (plan.is_positive() ? 0 : 1);
-      const Literal literal = plan.is_box() ? box(plan, reach) : curved(plan, reach);
+      const Literal literal = primitive(plan, reach);
       (plan.is_positive() ? kept : removed).push_back(add(literal));
     }
     int node = kept.size() == 1 ? kept[0] : tree_.add_node(Op::Intersection, kept);
@@ -140,7 +141,7 @@ class Lowering {
       if (!item->fills) continue;
       for (const PrimitivePlan& plan : plan_primitives(item->literals, combinability_)) {
         if (!plan.is_positive()) continue;
-        const Literal literal = plan.is_box() ? box(plan, 0) : curved(plan, 0);
+        const Literal literal = primitive(plan, 0);
         add_corners(local_bounds(literal), literal.rotation);
       }
     }
@@ -149,10 +150,12 @@ class Lowering {
   /// The literal's box in its own rotated coordinates.
   static Box3 local_bounds(const Literal& l) {
     if (l.kind == SolidKind::Box) return {l.origin, l.origin + l.size};
-    const double radius = std::max(l.radius, l.top_radius) + l.major_radius;
-    const bool is_cylinder = l.kind == SolidKind::Cylinder;
-    const Vec3 below(radius, radius, is_cylinder ? 0 : radius);
-    const Vec3 above(radius, radius, is_cylinder ? l.height : radius);
+    const bool is_prism = l.kind == SolidKind::Prism;
+    const double radius =
+        is_prism ? circumradius(l) : std::max(l.radius, l.top_radius) + l.major_radius;
+    const bool is_upright = is_prism || l.kind == SolidKind::Cylinder;
+    const Vec3 below(radius, radius, is_upright ? 0 : radius);
+    const Vec3 above(radius, radius, is_upright ? l.height : radius);
     return {l.origin - below, l.origin + above};
   }
 
@@ -240,6 +243,29 @@ class Lowering {
     }
     if (m.determinant() < 0) m.col(2) = -m.col(2);
     return m;
+  }
+
+  Literal primitive(const PrimitivePlan& plan, int reach) const {
+    if (plan.is_box()) return box(plan, reach);
+    return plan.prism >= 0 ? prism(plan, reach) : curved(plan, reach);
+  }
+
+  Literal prism(const PrimitivePlan& plan, int reach) const {
+    const RegularPrism& ring = combinability_.prisms()[static_cast<std::size_t>(plan.prism)];
+    // A corner half a side's angle before the first side's normal, on the local x axis.
+    const double half_step = kPi / ring.count();
+    const Vec3 corner =
+        ring.normal * std::cos(half_step) - ring.axis.cross(ring.normal) * std::sin(half_step);
+    Literal out;
+    out.kind = SolidKind::Prism;
+    out.sides = ring.count();
+    out.radius = ring.radius;
+    out.rotation << corner, ring.axis.cross(corner), ring.axis;
+    out.origin = out.rotation.transpose() * ring.center;
+    const Interval side = closed(ring.axis, bounds_along(ring.axis, plan.planes), reach);
+    out.origin.z() = side.lo;
+    out.height = side.hi - side.lo;
+    return out;
   }
 
   Literal box(const PrimitivePlan& plan, int reach) const {

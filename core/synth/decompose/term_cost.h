@@ -1,22 +1,24 @@
 #pragma once
 /// How many bounded primitives a term takes: planes at right angles share a box, planes across an
-/// axis cap the cylinder or cone on it.
+/// axis cap the cylinder, cone or prism on it.
 #include <vector>
 
 #include "core/fit/surface_set.h"
+#include "core/synth/decompose/regular_prisms.h"
 #include "core/synth/decompose/term.h"
 
 namespace hewn {
 
 /// One bounded primitive of a term.
 struct PrimitivePlan {
-  int curved = -1;                  ///< halfspace of the curved surface; -1: a box
+  int curved = -1;                  ///< halfspace of the curved surface; -1: none
+  int prism = -1;                   ///< index into `Combinability::prisms()`; -1: none
   bool inside = true;               ///< the term lies inside the curved surface
   std::vector<TermLiteral> planes;  ///< box sides, or caps
 
-  bool is_box() const { return curved < 0; }
-  /// Boxes and insides are intersected; the outside of a curved surface is subtracted.
-  bool is_positive() const { return is_box() || inside; }
+  bool is_box() const { return curved < 0 && prism < 0; }
+  /// Boxes, prisms and insides are intersected; the outside of a curved surface is subtracted.
+  bool is_positive() const { return curved < 0 || inside; }
 };
 
 /// Which halfspaces can share a primitive.
@@ -35,6 +37,9 @@ class Combinability {
     return (kinds_[curved] == SurfaceKind::Cylinder || kinds_[curved] == SurfaceKind::Cone) &&
            relation(plane, curved) == Relation::Parallel;
   }
+  const std::vector<RegularPrism>& prisms() const { return prisms_; }
+  /// The plane cuts the prism at a right angle.
+  bool caps_prism(int plane, int prism) const { return prism_caps_[prism][plane] != 0; }
 
  private:
   enum class Relation : char { Oblique, Parallel, Square };
@@ -50,6 +55,8 @@ class Combinability {
   std::vector<int> directions_;
   std::size_t direction_count_;
   std::vector<Relation> relations_;
+  std::vector<RegularPrism> prisms_;
+  std::vector<std::vector<char>> prism_caps_;  // by prism, by halfspace
 };
 
 /// Distributes the term's literals over bounded primitives. The result has a positive one.

@@ -30,6 +30,11 @@ TEST_CASE("distances at hand-picked points are exact") {
   CHECK(cylinder.signed_distance({1, 0, 1}) == doctest::Approx(std::sqrt(0.5)));
   CHECK(cylinder.signed_distance({0, 0, 2}) == doctest::Approx(1));
   CHECK(plain(SolidKind::Sphere).signed_distance({0, 3, 4}) == doctest::Approx(4));
+  Literal nut = plain(SolidKind::Prism);  // corners at x = +-2 / sqrt(3), sides at y = +-1
+  nut.sides = 6;
+  CHECK(nut.signed_distance({0, 0, 1.5}) == doctest::Approx(-1));
+  CHECK(nut.signed_distance({0, 3, 1}) == doctest::Approx(2));
+  CHECK(nut.signed_distance({2 / std::sqrt(3) + 3, 0, 7}) == doctest::Approx(5));
   const Literal torus = plain(SolidKind::Torus);
   CHECK(torus.signed_distance({0, 2, 0}) == doctest::Approx(-1));
   CHECK(torus.signed_distance({0, 0, 0}) == doctest::Approx(1));

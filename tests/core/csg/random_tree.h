@@ -30,9 +30,9 @@ inline Mesh tetrahedron(double edge) {
 /// A literal of about unit size within two units of the origin, scaled by `scale`. Half of them
 /// are axis-aligned.
 inline Literal random_literal(Rng& rng, double scale = 1) {
-  constexpr SolidKind kKinds[] = {SolidKind::Box,       SolidKind::Box,    SolidKind::Cylinder,
-                                  SolidKind::Cylinder,  SolidKind::Sphere, SolidKind::Torus,
-                                  SolidKind::Polyhedron};
+  constexpr SolidKind kKinds[] = {SolidKind::Box,        SolidKind::Box,    SolidKind::Cylinder,
+                                  SolidKind::Cylinder,   SolidKind::Sphere, SolidKind::Torus,
+                                  SolidKind::Polyhedron, SolidKind::Prism};
   Literal s;
   s.kind = kKinds[rng.below(std::size(kKinds))];
   if (rng.coin()) s.rotation = random_rotation(rng);
@@ -43,6 +43,7 @@ inline Literal random_literal(Rng& rng, double scale = 1) {
   const bool is_straight = rng.coin();
   s.top_radius = is_straight ? s.radius : rng.uniform(0.0, 0.8) * scale;
   s.major_radius = rng.uniform(0.3, 1.0) * scale;
+  s.sides = 3 + static_cast<int>(rng.below(6));
   if (s.kind == SolidKind::Polyhedron) {
     const double edge = rng.uniform(0.5, 1.5) * scale;
     const Literal solid = polyhedron_literal(std::make_shared<const Mesh>(tetrahedron(edge)));

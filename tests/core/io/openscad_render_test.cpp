@@ -171,7 +171,12 @@ TEST_CASE("every kind of solid lands where the tree has it at any angle") {
     ball.origin = Vec3(0, -4, 0);
     Tree tree;
     std::vector<int> leaves;
-    for (Literal s : {cone, torus, spindle, ball}) {
+    Literal nut = torus;
+    nut.kind = SolidKind::Prism;
+    nut.origin = Vec3(-3, 4, 0.5);
+    nut.sides = 5;
+    nut.height = 1.5;
+    for (Literal s : {cone, torus, spindle, ball, nut}) {
       s.rotation = turn;
       leaves.push_back(tree.add_literal(s));
     }

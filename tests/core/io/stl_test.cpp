@@ -60,6 +60,9 @@ TEST_CASE("each kind of solid has its volume") {
         doctest::Approx(4 * kPi / 3).epsilon(1e-2));
   CHECK(volume(round_literal(SolidKind::Torus, 1, 3, 0)) ==
         doctest::Approx(6 * kPi * kPi).epsilon(1e-2));
+  Literal nut = round_literal(SolidKind::Prism, 1, 0, 2);
+  nut.sides = 6;
+  CHECK(volume(nut) == doctest::Approx(2 * 2 * std::sqrt(3)));
   Literal cone = round_literal(SolidKind::Cylinder, 2, 0, 3);
   cone.top_radius = 0;
   CHECK(volume(cone) == doctest::Approx(4 * kPi).epsilon(1e-2));

@@ -70,15 +70,17 @@ TEST_CASE("transformations apply from the inside out") {
 }
 
 TEST_CASE("circles of few sides are prisms, others are true circles") {
-  CHECK(only_literal("cylinder(r = 1, $fn = 6);").kind == SolidKind::Polyhedron);
-  CHECK(only_literal("$fn = 6; cylinder(r = 1);").kind == SolidKind::Polyhedron);
+  CHECK(only_literal("cylinder(r = 1, $fn = 6);").kind == SolidKind::Prism);
+  CHECK(only_literal("$fn = 6; cylinder(r = 1);").kind == SolidKind::Prism);
+  CHECK(only_literal("$fn = 4; cylinder(r1 = 1, r2 = 0);").kind == SolidKind::Polyhedron);
   const Literal tube = only_literal("cylinder(r = 1, $fn = 12);");
   CHECK(tube.kind == SolidKind::Cylinder);
   CHECK(tube.facets.sides == 12);
   const Literal nut = only_literal("cylinder(r = 1, h = 2, center = true, $fn = 6);");
   CHECK(nut.signed_distance(Vec3(0.99, 0, 0.99)) < 0);
   CHECK(nut.signed_distance(Vec3(0, 0.9, 0)) > 0);
-  CHECK(nut.polyhedron->volume == doctest::Approx(2 * 6 * std::sqrt(3.0) / 4));
+  CHECK(nut.sides == 6);
+  CHECK(nut.radius == doctest::Approx(std::sqrt(3.0) / 2));
 }
 
 TEST_CASE("operations, groups, constants, modules and modifiers make a tree") {

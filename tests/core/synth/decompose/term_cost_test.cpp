@@ -51,6 +51,48 @@ TEST_CASE("the outside of a curved surface needs something to be taken from") {
   CHECK(plans[0].is_positive() != plans[1].is_positive());
 }
 
+/// A hexagon of inscribed radius 2 around (5, 1), its sides alternately turned, and planes across.
+SurfaceSet hexagon() {
+  SurfaceSet set;
+  for (int k = 0; k < 3; ++k) {
+    const double angle = kPi * (2 * k + 1) / 6;
+    set.directions.emplace_back(std::cos(angle), std::sin(angle), 0);
+  }
+  set.directions.push_back(Vec3::UnitZ());
+  for (int k = 0; k < 8; ++k) {
+    Halfspace h;
+    h.direction = k < 6 ? k / 2 : 3;
+    h.tolerance = 1e-3;
+    h.surface.axis = set.directions[h.direction];
+    h.surface.offset = h.surface.axis.dot(Vec3(5, 1, 0)) + (k % 2 == 0 ? 2 : -2);
+    set.halfspaces.push_back(h);
+  }
+  return set;
+}
+
+const std::vector<TermLiteral> kHexagon = {{0, true},  {1, false}, {2, true},
+                                           {3, false}, {4, true},  {5, false}};
+
+TEST_CASE("the sides of a regular prism share one primitive, with its ends") {
+  const Combinability c(hexagon());
+  CHECK(term_cost(kHexagon, c) == 1);
+  std::vector<TermLiteral> closed = kHexagon;
+  closed.push_back({6, true});
+  closed.push_back({7, false});
+  CHECK(term_cost(closed, c) == 1);
+  closed.erase(closed.begin());
+  CHECK(term_cost(closed, c) > 1);
+}
+
+TEST_CASE("a side that is off by more than its tolerance makes no prism") {
+  SurfaceSet moved = hexagon();
+  moved.halfspaces[3].surface.offset += 2e-3;
+  CHECK(term_cost(kHexagon, Combinability(moved)) == 2);  // a triangle and a part of the rest
+  SurfaceSet near = hexagon();
+  near.halfspaces[3].surface.offset += 5e-4;
+  CHECK(term_cost(kHexagon, Combinability(near)) == 1);
+}
+
 TEST_CASE("a term without literals is a box") {
   CHECK(term_cost({}, Combinability(example())) == 1);
 }

@@ -1,0 +1,183 @@
+#include "core/synth/decompose/regular_prisms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace hewn {
+namespace {
+
+constexpr int kMostSides = 12;
+constexpr double kSameAngleRad = 1e-3;  // the sides' own tolerances decide
+constexpr long kMostTrials = 100'000;   // a part of many parallel planes in a star
+
+/// A plane side with its outward normal on one of the ring's directions.
+struct Side {
+  TermLiteral literal;
+  double offset = 0;
+  double tolerance = 0;
+};
+
+class PrismFinder {
+ public:
+  explicit PrismFinder(const SurfaceSet& surfaces) : surfaces_(surfaces) {
+    planes_of_.resize(surfaces.directions.size());
+    for (std::size_t h = 0; h < surfaces.halfspaces.size(); ++h) {
+      const Halfspace& plane = surfaces.halfspaces[h];
+      if (plane.surface.kind != SurfaceKind::Plane || plane.direction < 0) continue;
+      planes_of_[plane.direction].push_back(static_cast<int>(h));
+    }
+  }
+
+  std::vector<RegularPrism> run() {
+    for (std::size_t i = 0; i < planes_of_.size(); ++i) {
+      for (std::size_t j = 0; j < planes_of_.size(); ++j) {
+        if (i != j && !planes_of_[i].empty() && !planes_of_[j].empty()) star(i, j);
+      }
+    }
+    // A hexagon's sides also make two triangles: the larger one comes first.
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const auto& a, const auto& b) { return a.count() > b.count(); });
+    return std::move(found_);
+  }
+
+ private:
+  /// Prisms whose first two normals are the directions `i` and `j`, either way round.
+  void star(std::size_t i, std::size_t j) {
+    const Vec3& u = surfaces_.directions[i];
+    const Vec3& v = surfaces_.directions[j];
+    for (int n = 3; n <= kMostSides; ++n) {
+      if (n == 4) continue;
+      for (const double sign : {1.0, -1.0}) {
+        const double angle = std::atan2(u.cross(v).norm(), sign * u.dot(v));
+        if (std::abs(angle - 2 * kPi / n) > kSameAngleRad) continue;
+        ring(n, u, known_direction(u.cross(sign * v).normalized()));
+        ring(n, -u, known_direction((-u).cross(-sign * v).normalized()));
+      }
+    }
+  }
+
+  /// The part's own direction where there is one, so that its parallel planes close the ends.
+  Vec3 known_direction(const Vec3& axis) const {
+    for (const Vec3& d : surfaces_.directions) {
+      if (d.cross(axis).norm() < kSameAngleRad) return d.dot(axis) < 0 ? Vec3(-d) : d;
+    }
+    return axis;
+  }
+
+  void ring(int n, const Vec3& normal, const Vec3& axis) {
+    const Vec3 u = (normal - axis * axis.dot(normal)).normalized();
+    const Vec3 w = axis.cross(u);
+    std::vector<std::vector<Side>> sides;
+    std::vector<Vec2> normals;
+    for (int k = 0; k < n; ++k) {
+      const double angle = 2 * kPi * k / n;
+      normals.emplace_back(std::cos(angle), std::sin(angle));
+      sides.push_back(sides_along(u * normals[k].x() + w * normals[k].y()));
+      if (sides.back().empty()) return;
+    }
+    for (const Side& a : sides[0]) {
+      for (const Side& b : sides[1]) {
+        for (const Side& c : sides[2]) {
+          if (++trials_ > kMostTrials) return;
+          complete({a, b, c}, sides, normals, {u, w, axis});
+        }
+      }
+    }
+  }
+
+  std::vector<Side> sides_along(const Vec3& outward) const {
+    std::vector<Side> sides;
+    for (std::size_t d = 0; d < planes_of_.size(); ++d) {
+      const Vec3& direction = surfaces_.directions[d];
+      const double turn = direction.cross(outward).norm();
+      if (turn > kSameAngleRad) continue;
+      for (const int h : planes_of_[d]) {
+        const Halfspace& plane = surfaces_.halfspaces[h];
+        const bool inside = plane.surface.axis.dot(outward) > 0;
+        const double offset = inside ? plane.surface.offset : -plane.surface.offset;
+        sides.push_back({{h, inside}, offset, plane.tolerance});
+      }
+    }
+    return sides;
+  }
+
+  struct Axes {
+    Vec3 u, w, axis;
+  };
+
+  /// The first three sides give centre and radius; the others have to agree.
+  void complete(const std::vector<Side>& first, const std::vector<std::vector<Side>>& sides,
+                const std::vector<Vec2>& normals, const Axes& axes) {
+    Mat3 equations;
+    Vec3 offsets;
+    for (int k = 0; k < 3; ++k) {
+      equations.row(k) << normals[k].x(), normals[k].y(), 1;
+      offsets[k] = first[k].offset;
+    }
+    const Vec3 solution = equations.fullPivLu().solve(offsets);
+    RegularPrism prism;
+    prism.radius = solution.z();
+    if (!(prism.radius > 0) || !solution.allFinite()) return;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      const double expected = normals[k].dot(solution.head<2>()) + prism.radius;
+      const std::optional<Side> side = nearest(sides[k], expected);
+      if (!side) return;
+      prism.sides.push_back(side->literal);
+    }
+    prism.axis = axes.axis;
+    prism.normal = axes.u;
+    prism.center = axes.u * solution.x() + axes.w * solution.y();
+    if (is_within_tolerances(prism) && is_new(prism)) found_.push_back(std::move(prism));
+  }
+
+  static std::optional<Side> nearest(const std::vector<Side>& sides, double offset) {
+    const auto best =
+        std::min_element(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
+          return std::abs(a.offset - offset) < std::abs(b.offset - offset);
+        });
+    if (std::abs(best->offset - offset) > best->tolerance) return std::nullopt;
+    return *best;
+  }
+
+  /// At the corners, where a turned side is off most.
+  bool is_within_tolerances(const RegularPrism& prism) const {
+    const double half_side = prism.radius * std::tan(kPi / prism.count());
+    const Vec3 w = prism.axis.cross(prism.normal);
+    for (int k = 0; k < prism.count(); ++k) {
+      const double angle = 2 * kPi * k / prism.count();
+      const Vec3 normal = prism.normal * std::cos(angle) + w * std::sin(angle);
+      const Vec3 along = prism.axis.cross(normal);
+      const Halfspace& plane = surfaces_.halfspaces[prism.sides[k].halfspace];
+      for (const double end : {-half_side, half_side}) {
+        const Vec3 corner = prism.center + normal * prism.radius + along * end;
+        if (std::abs(plane.surface.signed_distance(corner)) > plane.tolerance) return false;
+      }
+    }
+    return true;
+  }
+
+  /// Every prism turns up once for each of its sides.
+  bool is_new(const RegularPrism& prism) {
+    std::vector<std::pair<int, bool>> key;
+    for (const TermLiteral& l : prism.sides) key.emplace_back(l.halfspace, l.inside);
+    std::sort(key.begin(), key.end());
+    return known_.insert(std::move(key)).second;
+  }
+
+  const SurfaceSet& surfaces_;
+  std::vector<std::vector<int>> planes_of_;  // by direction
+  std::set<std::vector<std::pair<int, bool>>> known_;
+  std::vector<RegularPrism> found_;
+  long trials_ = 0;
+};
+
+}  // namespace
+
+std::vector<RegularPrism> find_regular_prisms(const SurfaceSet& surfaces) {
+  return PrismFinder(surfaces).run();
+}
+
+}  // namespace hewn

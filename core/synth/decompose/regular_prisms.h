@@ -1,0 +1,27 @@
+#pragma once
+/// Plane sides that together bound a regular prism: nuts, sockets, bars.
+#include <vector>
+
+#include "core/fit/surface_set.h"
+#include "core/synth/decompose/term.h"
+
+namespace hewn {
+
+/// A regular prism without ends. A term that contains all its sides needs one primitive for them.
+struct RegularPrism {
+  std::vector<TermLiteral> sides;  ///< in order around the axis
+  Vec3 axis;                       ///< unit
+  Vec3 center;                     ///< a point on the axis
+  Vec3 normal;                     ///< unit, outward, of the first side
+  double radius = 0;               ///< of the inscribed circle
+
+  int count() const { return static_cast<int>(sides.size()); }
+};
+
+/// All regular prisms of 3 or of 5 to 12 sides among the planes (four sides are a box), those of
+/// more sides first. Every side is within its halfspace's tolerance of the ideal one. Cost: cubic
+/// in the parallel planes of a direction, for directions that meet at a regular polygon's angle;
+/// bounded.
+std::vector<RegularPrism> find_regular_prisms(const SurfaceSet& surfaces);
+
+}  // namespace hewn
