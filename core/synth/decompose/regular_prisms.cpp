@@ -9,6 +9,7 @@
 namespace hewn {
 namespace {
 
+constexpr int kFewestSides = 5;
 constexpr int kMostSides = 12;
 constexpr double kSameAngleRad = 1e-3;  // the sides' own tolerances decide
 constexpr long kMostTrials = 100'000;   // a part of many parallel planes in a star
@@ -37,7 +38,7 @@ class PrismFinder {
         if (i != j && !planes_of_[i].empty() && !planes_of_[j].empty()) star(i, j);
       }
     }
-    // A hexagon's sides also make two triangles: the larger one comes first.
+    // A decagon's sides also make two pentagons: the larger one comes first.
     std::stable_sort(found_.begin(), found_.end(),
                      [](const auto& a, const auto& b) { return a.count() > b.count(); });
     return std::move(found_);
@@ -48,8 +49,7 @@ class PrismFinder {
   void star(std::size_t i, std::size_t j) {
     const Vec3& u = surfaces_.directions[i];
     const Vec3& v = surfaces_.directions[j];
-    for (int n = 3; n <= kMostSides; ++n) {
-      if (n == 4) continue;
+    for (int n = kFewestSides; n <= kMostSides; ++n) {
       for (const double sign : {1.0, -1.0}) {
         const double angle = std::atan2(u.cross(v).norm(), sign * u.dot(v));
         if (std::abs(angle - 2 * kPi / n) > kSameAngleRad) continue;

@@ -18,10 +18,11 @@ struct RegularPrism {
   int count() const { return static_cast<int>(sides.size()); }
 };
 
-/// All regular prisms of 3 or of 5 to 12 sides among the planes (four sides are a box), those of
-/// more sides first. Every side is within its halfspace's tolerance of the ideal one. Cost: cubic
-/// in the parallel planes of a direction, for directions that meet at a regular polygon's angle;
-/// bounded.
+/// All regular prisms of 5 to 12 sides among the planes, those of more sides first. Four sides are
+/// a box; any three planes at the right angles make a triangle, which is seldom meant and often
+/// flush with its neighbours. Every side is within its halfspace's tolerance of the ideal one.
+/// Cost: cubic in the parallel planes of a direction, for directions that meet at a regular
+/// polygon's angle; bounded.
 std::vector<RegularPrism> find_regular_prisms(const SurfaceSet& surfaces);
 
 }  // namespace hewn

@@ -87,7 +87,7 @@ TEST_CASE("the sides of a regular prism share one primitive, with its ends") {
 TEST_CASE("a side that is off by more than its tolerance makes no prism") {
   SurfaceSet moved = hexagon();
   moved.halfspaces[3].surface.offset += 2e-3;
-  CHECK(term_cost(kHexagon, Combinability(moved)) == 2);  // a triangle and a part of the rest
+  CHECK(term_cost(kHexagon, Combinability(moved)) == 3);
   SurfaceSet near = hexagon();
   near.halfspaces[3].surface.offset += 5e-4;
   CHECK(term_cost(kHexagon, Combinability(near)) == 1);
