@@ -41,7 +41,7 @@ struct VerifyOptions {
   int near_points = 16000;
   int around_points = 12000;
   int points_per_literal = 40;  ///< on both sides of the list's own term boundaries
-  int lines = 2000;             ///< through the tree, see `Candidate::tree`
+  int lines = 10000;            ///< through the tree, see `Candidate::tree`
 };
 
 /// What is verified, in three forms of the same solid.
