@@ -13,6 +13,9 @@ Labeller::Labeller(const MeshQuery& query, const Segmentation& segmentation,
 }
 
 Label Labeller::operator()(const Vec3& p) const {
+  for (const Literal& solid : ignored_) {
+    if (solid.signed_distance(p) < 0) return Label::DontCare;
+  }
   if (!owns_all_) {
     const int triangle = query_->closest(p).triangle;
     const int group = triangle < 0 ? -1 : segmentation_->group_of_triangle[triangle];

@@ -1,8 +1,10 @@
 #pragma once
 /// The wanted solid of one partition as a function of points.
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include "core/csg/literal.h"
 #include "core/fit/face_groups.h"
 #include "core/mesh/query.h"
 
@@ -18,6 +20,9 @@ class Labeller {
   Labeller(const MeshQuery& query, const Segmentation& segmentation, const std::vector<int>& groups,
            bool is_subtracted);
 
+  /// Points in these solids become don't-cares.
+  void ignore(std::vector<Literal> solids) { ignored_ = std::move(solids); }
+
   Label operator()(const Vec3& p) const;
   bool owns_group(int group) const { return owns_all_ || owned_[group]; }
   bool owns_all() const { return owns_all_; }
@@ -27,6 +32,7 @@ class Labeller {
   const MeshQuery* query_;
   const Segmentation* segmentation_;
   std::vector<char> owned_;
+  std::vector<Literal> ignored_;
   bool owns_all_;
   bool is_subtracted_;
 };

@@ -11,6 +11,7 @@
 #include "core/compute/parallel.h"
 #include "core/csg/protrude.h"
 #include "core/segment/segment.h"
+#include "core/session/free_form.h"
 
 namespace hewn {
 namespace {
@@ -18,6 +19,9 @@ namespace {
 /// A tree that shares less with the mesh is of no use; designs come out above 0.97 even where the
 /// mesh is as coarse as a dodecagon.
 constexpr double kLeastIou = 0.9;
+
+/// Free-form faces from which a tree of all their planes is not even tried.
+constexpr int kManyFreeForm = 200;
 
 /// Measures the time since it was made or last asked.
 class StopWatch {
@@ -231,6 +235,10 @@ class Reconstructor {
         run_.warn(
             fmt::format("no primitives explain '{}': it is kept as a polyhedron", (*answer)->name));
       }
+      if ((*answer)->free_form_share > 0) {
+        run_.warn(fmt::format("{:.2g} % of the surface is free-form: kept as a polyhedron",
+                              100 * (*answer)->free_form_share));
+      }
       out_.partitions.push_back(std::move(**answer));
     }
     return {};
@@ -247,6 +255,8 @@ class Reconstructor {
 
     const SurfaceSet surfaces = with_cut_planes(out_.surfaces, project_, partition);
     const bool is_whole = partition.groups.size() == segmentation.groups.size();
+    const bool can_keep = is_whole && !partition.is_subtracted && out_.mesh_report.is_closed;
+    if (can_keep && keep_free_form(kManyFreeForm, run, result)) return result;
     TreeProblem problem;
     problem.query = out_.prepared.query.get();
     problem.segmentation = &segmentation;
@@ -259,9 +269,8 @@ class Reconstructor {
       return result;
     }
     Error error = answer.error();
-    const bool can_keep = error.code == ErrorCode::NotFound && is_whole &&
-                          !partition.is_subtracted && out_.mesh_report.is_closed;
-    if (can_keep) {
+    if (can_keep && error.code == ErrorCode::NotFound) {
+      if (keep_free_form(1, run, result)) return result;
       result.answer.tree = polyhedron_tree(out_.prepared);
       result.answer.agreement = 1;
       result.is_polyhedron = true;
@@ -269,6 +278,21 @@ class Reconstructor {
     }
     if (error.where.empty()) error.where = "partition " + partition.name;
     return error;
+  }
+
+  /// A tree with free-form patches as polyhedra, where they have so many faces; false without.
+  bool keep_free_form(int least_faces, const RunContext& run, PartitionResult& result) const {
+    const PreparedMesh& prepared = out_.prepared;
+    const auto patches = find_free_form_patches(*prepared.mesh, prepared.segmentation);
+    int faces = 0;
+    for (const FreeFormPatch& patch : patches) faces += patch.unfitted;
+    if (faces < least_faces) return false;
+    const Settings& settings = project_.settings;
+    auto found = find_tree_beside(patches, prepared, settings.regularise, settings.tree, run);
+    if (!found) return false;
+    result.answer = std::move(found->answer);
+    result.free_form_share = found->area_share;
+    return true;
   }
 
   /// The partitions' trees under the user's expression.

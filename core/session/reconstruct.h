@@ -23,6 +23,7 @@ struct PartitionResult {
   double area_share = 0;       ///< of its groups, of the mesh's surface
   TreeAnswer answer;           ///< its tree and how the search went
   bool is_polyhedron = false;  ///< no primitives were found: its tree is the mesh itself
+  double free_form_share = 0;  ///< of the mesh's surface, kept as a polyhedron beside its tree
 };
 
 /// Wall-clock time of one stage. The only part of a report that differs from run to run.

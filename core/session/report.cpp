@@ -19,6 +19,7 @@ Json partition_json(const PartitionResult& partition) {
           {"size", tree_size(partition.answer.tree)},
           {"agreement", partition.answer.agreement},
           {"is_polyhedron", partition.is_polyhedron},
+          {"free_form_share", partition.free_form_share},
           {"search",
            {{"rounds", partition.answer.rounds},
             {"halfspaces", partition.answer.halfspaces},

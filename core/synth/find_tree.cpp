@@ -88,6 +88,7 @@ class TreeSearch {
         label_(*problem.query, *problem.segmentation, problem.groups, problem.is_subtracted),
         surfaces_(select_surfaces(*problem.surfaces, label_)),
         triangles_(triangles_of(*problem.segmentation, problem.groups)) {
+    label_.ignore(problem.ignored);
     space_.label = &label_;
     space_.segmentation = problem.segmentation;
     space_.halfspaces = &surfaces_.halfspaces;

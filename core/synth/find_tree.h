@@ -21,6 +21,8 @@ struct TreeProblem {
   /// Face groups of the partition; empty means all. Points whose nearest group is not among them
   /// are don't-cares.
   std::vector<int> groups;
+  /// Solids whose points are don't-cares.
+  std::vector<Literal> ignored;
   /// Inside and outside swap: the partition's solid will be subtracted.
   bool is_subtracted = false;
 };

@@ -12,7 +12,9 @@ namespace {
 constexpr int kFewestSides = 5;
 constexpr int kMostSides = 12;
 constexpr double kSameAngleRad = 1e-3;  // the sides' own tolerances decide
-constexpr long kMostTrials = 100'000;   // a part of many parallel planes in a star
+/// Of the inscribed radius: sides that are off by less are the prism's, however exact their fit.
+constexpr double kSameShare = 1e-4;
+constexpr long kMostTrials = 100'000;  // a part of many parallel planes in a star
 
 /// A plane side with its outward normal on one of the ring's directions.
 struct Side {
@@ -123,7 +125,7 @@ class PrismFinder {
     if (!(prism.radius > 0) || !solution.allFinite()) return;
     for (std::size_t k = 0; k < sides.size(); ++k) {
       const double expected = normals[k].dot(solution.head<2>()) + prism.radius;
-      const std::optional<Side> side = nearest(sides[k], expected);
+      const std::optional<Side> side = nearest(sides[k], expected, kSameShare * prism.radius);
       if (!side) return;
       prism.sides.push_back(side->literal);
     }
@@ -133,12 +135,12 @@ class PrismFinder {
     if (is_within_tolerances(prism) && is_new(prism)) found_.push_back(std::move(prism));
   }
 
-  static std::optional<Side> nearest(const std::vector<Side>& sides, double offset) {
+  static std::optional<Side> nearest(const std::vector<Side>& sides, double offset, double same) {
     const auto best =
         std::min_element(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
           return std::abs(a.offset - offset) < std::abs(b.offset - offset);
         });
-    if (std::abs(best->offset - offset) > best->tolerance) return std::nullopt;
+    if (std::abs(best->offset - offset) > std::max(same, best->tolerance)) return std::nullopt;
     return *best;
   }
 
@@ -153,7 +155,8 @@ class PrismFinder {
       const Halfspace& plane = surfaces_.halfspaces[prism.sides[k].halfspace];
       for (const double end : {-half_side, half_side}) {
         const Vec3 corner = prism.center + normal * prism.radius + along * end;
-        if (std::abs(plane.surface.signed_distance(corner)) > plane.tolerance) return false;
+        const double allowed = std::max(plane.tolerance, kSameShare * prism.radius);
+        if (std::abs(plane.surface.signed_distance(corner)) > allowed) return false;
       }
     }
     return true;

@@ -20,9 +20,9 @@ struct RegularPrism {
 
 /// All regular prisms of 5 to 12 sides among the planes, those of more sides first. Four sides are
 /// a box; any three planes at the right angles make a triangle, which is seldom meant and often
-/// flush with its neighbours. Every side is within its halfspace's tolerance of the ideal one.
-/// Cost: cubic in the parallel planes of a direction, for directions that meet at a regular
-/// polygon's angle; bounded.
+/// flush with its neighbours. Every side is as near to the ideal one as its halfspace's tolerance
+/// or 1e-4 of the inscribed radius. Cost: cubic in the parallel planes of a direction, for
+/// directions that meet at a regular polygon's angle; bounded.
 std::vector<RegularPrism> find_regular_prisms(const SurfaceSet& surfaces);
 
 }  // namespace hewn
