@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/hewn/commands.h"
-#include "core/io/json.h"
+#include "app/hewn/read_tree.h"
 #include "core/session/tree_file.h"
 
 namespace hewn {
@@ -34,7 +34,7 @@ ExitCode run_export(const ExportFlags& flags, Environment& environment) {
       return environment.fail(possible.error());
     }
   }
-  const auto tree = read_tree_json(flags.input);
+  const auto tree = read_tree_file(flags.input, environment.run);
   if (!tree) return environment.fail(with_input(tree.error(), flags.input));
   if (auto done = export_tree(flags, *tree, environment); !done) {
     return environment.fail(with_input(done.error(), flags.input));
@@ -52,7 +52,7 @@ ExitCode run_export(const ExportFlags& flags, Environment& environment) {
 void add_export(CLI::App& app, RunFlags& run_flags, Command& chosen) {
   CLI::App* command = app.add_subcommand("export", "Write a tree in another format");
   const auto flags = std::make_shared<ExportFlags>();
-  command->add_option("input", flags->input, "tree (.json)")->required();
+  command->add_option("input", flags->input, "tree: .json, .scad or .csg")->required();
   command
       ->add_option("-o,--output", flags->output,
                    "the tree: .scad .json .stl .off .obj .ply .step; - prints the .scad")

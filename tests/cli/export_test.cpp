@@ -46,6 +46,24 @@ TEST_CASE("a tree is exported as a design, as the same JSON and as STEP") {
   CHECK(content_of(folder / "out.step").starts_with("ISO-10303-21"));
 }
 
+TEST_CASE("a design that was edited by hand is exported") {
+  const Folder folder;
+  const std::string design = folder.write("nut.scad",
+                                          "$fn = 96;\ndifference() {\n  cylinder(r = 10, h = 8, "
+                                          "$fn = 6);\n  translate([0, 0, -1]) cylinder(r = 5, h "
+                                          "= 10);\n}\n");
+  REQUIRE(run_hewn({"export", design, "-o", folder / "nut.scad.json"}).exit_code == 0);
+  REQUIRE(run_hewn({"export", design, "-o", folder / "again.scad"}).exit_code == 0);
+  CHECK(content_of(folder / "again.scad").find("prism(sides = 6, r = 8.66025") !=
+        std::string::npos);
+  // Its own output, module and all, is read without any program's help.
+  REQUIRE(run_hewn({"export", folder / "again.scad", "-o", folder / "third.scad"}).exit_code == 0);
+  CHECK(content_of(folder / "third.scad").find("prism(sides = 6, r = 8.66025") !=
+        std::string::npos);
+  const Outcome step = run_hewn({"export", design, "-o", folder / "nut.step"});
+  CHECK_MESSAGE(step.exit_code == 0, step.err);
+}
+
 TEST_CASE("a knob with round dents is exported as a closed mesh that is like its input") {
   // Merging the faces of its sphere tore it open.
   const Folder folder;
