@@ -41,16 +41,17 @@ void add_setting_flags(CLI::App& app, const std::vector<std::string_view>& secti
     for (const OptionRef& option : section.options) {
       const std::string in(section.name);
       const std::string name(option.name);
-      const auto take = [&flags, in, name](const std::string& text) {
+      const std::string flag = fmt::format("--{}-{}", in, name);
+      const auto take = [&flags, in, name, flag](const std::string& text) {
         // Checked here, so that a bad value is a usage error before any work.
         Settings scratch;
         const std::vector<OptionSection> all = bind_settings(scratch);
         const Result<void> set = set_option(find_option(all, in, name), text);
-        if (!set) throw CLI::ValidationError("--" + in + "-" + name, set.error().message);
+        if (!set) throw CLI::ValidationError(flag, set.error().message);
         flags.given.push_back({in, name, text});
       };
       app.add_option_function<std::string>(
-             "--" + in + "-" + name, take,
+             flag, take,
              fmt::format("{} [{}; {}]", option.help, option_text(option), allowed_values(option)))
           ->group(fmt::format("{}: {}", section.name, section.title))
           ->type_name("");

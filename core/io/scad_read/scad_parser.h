@@ -8,7 +8,7 @@
 
 namespace hewn {
 
-inline constexpr int kDeepestScad = 400;              ///< nested blocks
+inline constexpr int kDeepestScad = 400;               ///< nested blocks
 inline constexpr std::size_t kMostScadNodes = 400000;  ///< instantiations in one file
 
 /// "design.scad:12:5".
