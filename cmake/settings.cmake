@@ -1,24 +1,26 @@
+get_filename_component(HEWN_SOURCE_DIR ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
+
 # One interface target carries the language level and the warnings to every layer.
 add_library(hewn_settings INTERFACE)
 target_compile_features(hewn_settings INTERFACE cxx_std_20)
 # No contraction: the same source must give the same bits on every compiler and device.
-target_compile_options(hewn_settings INTERFACE -ffp-contract=off -Wall -Wextra -Wconversion
-                       -Wshadow -Wno-sign-conversion)
+target_compile_options(hewn_settings INTERFACE
+  "$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off;-Wall;-Wextra;-Wconversion;-Wshadow;-Wno-sign-conversion>")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # False alarm on `"text" + string` (GCC bug 105651).
-  target_compile_options(hewn_settings INTERFACE -Wno-restrict)
+  target_compile_options(hewn_settings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>)
 endif()
 if(HEWN_WERROR)
-  target_compile_options(hewn_settings INTERFACE -Werror)
+  target_compile_options(hewn_settings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
 endif()
-target_include_directories(hewn_settings INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(hewn_settings INTERFACE ${HEWN_SOURCE_DIR})
 target_link_libraries(hewn_settings INTERFACE Threads::Threads)
 
 # The asan and tsan presets set this: the sanitizers for every target, and assertions with them.
 set(HEWN_SANITIZER "" CACHE STRING "Sanitizers to build with, e.g. address,undefined or thread")
 if(HEWN_SANITIZER)
-  target_compile_options(hewn_settings INTERFACE -fsanitize=${HEWN_SANITIZER}
-                         -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_compile_options(hewn_settings INTERFACE
+    "$<$<COMPILE_LANGUAGE:CXX>:-fsanitize=${HEWN_SANITIZER};-fno-omit-frame-pointer;-fno-sanitize-recover=all>")
   target_link_options(hewn_settings INTERFACE -fsanitize=${HEWN_SANITIZER})
   target_compile_definitions(hewn_settings INTERFACE HEWN_ASSERTIONS HEWN_SANITIZED)
 endif()
@@ -45,11 +47,11 @@ endfunction()
 # `property`, `golden`, `openscad`, `session`, `gpu` or `fuzz`.
 function(hewn_test name)
   cmake_parse_arguments(ARG "" "" "LABELS;SOURCES;LINKS" ${ARGN})
-  add_executable(${name} ${PROJECT_SOURCE_DIR}/tests/test_main.cpp ${ARG_SOURCES})
+  add_executable(${name} ${HEWN_SOURCE_DIR}/tests/test_main.cpp ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE hewn_settings ${ARG_LINKS} doctest::doctest)
   target_compile_definitions(${name} PRIVATE
-                             HEWN_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
-                             HEWN_ASSETS="${PROJECT_SOURCE_DIR}/assets"
+                             HEWN_TEST_DATA="${HEWN_SOURCE_DIR}/tests/data"
+                             HEWN_ASSETS="${HEWN_SOURCE_DIR}/assets"
                              HEWN_BINARY_DIR="${PROJECT_BINARY_DIR}")
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 900
@@ -60,7 +62,7 @@ endfunction()
 # Libraries of the distribution are not instrumented; their false alarms are listed by name.
 set(HEWN_TEST_ENVIRONMENT "")
 if(HEWN_SANITIZER)
-  set(suppressions ${PROJECT_SOURCE_DIR}/tests/sanitizers)
+  set(suppressions ${HEWN_SOURCE_DIR}/tests/sanitizers)
   set(HEWN_TEST_ENVIRONMENT
       "TSAN_OPTIONS=suppressions=${suppressions}/tsan.supp ignore_noninstrumented_modules=1"
       "LSAN_OPTIONS=suppressions=${suppressions}/lsan.supp print_suppressions=0"

@@ -30,6 +30,8 @@ inline ExitCode exit_code_of(ErrorCode code) {
       return ExitCode::Cancelled;
     case ErrorCode::NotFound:
     case ErrorCode::Internal:
+    case ErrorCode::OutOfMemory:
+    case ErrorCode::Device:
       break;
   }
   return ExitCode::Failed;

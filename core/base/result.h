@@ -17,6 +17,8 @@ enum class ErrorCode {
   Cancelled,        ///< the user stopped the job
   NotFound,         ///< no answer exists within the budget
   Internal,         ///< a third-party library failed
+  OutOfMemory,      ///< of this machine or of a device
+  Device,           ///< an accelerator is missing, too old, or stopped working
 };
 
 /// What is wrong, where (file, line, element) and what to do about it.

@@ -14,6 +14,8 @@
 
 namespace hewn {
 
+class Compute;
+
 enum class Severity { Info, Warning, Error };
 
 struct LogEntry {
@@ -45,6 +47,8 @@ struct RunContext {
   std::uint64_t seed = 1;
   /// Worker threads; 0 means one per core. Never changes a result.
   int threads = 0;
+  /// Where kernels run (core/compute/compute.h); without it, on `threads` of the processor.
+  std::shared_ptr<Compute> compute = {};
   /// An extra stop. Searches that reach it return the best answer so far; unset by default,
   /// because results then depend on the machine's speed.
   std::optional<std::chrono::steady_clock::time_point> deadline = {};

@@ -25,24 +25,20 @@ Vec3 unit_or(const Vec3& v, double length, const Vec3& fallback) {
 }  // namespace
 
 double Surface::signed_distance(const Vec3& x) const {
-  switch (kind) {
-    case SurfaceKind::Plane:
-      return axis.dot(x) - offset;
-    case SurfaceKind::Sphere:
-      return (x - point).norm() - radius;
-    case SurfaceKind::Cylinder:
-      return about_axis(*this, x).radial - radius;
-    case SurfaceKind::Cone: {
-      const AxisCoordinates c = about_axis(*this, x);
-      return c.radial * std::cos(half_angle_rad) - c.height * std::sin(half_angle_rad);
-    }
-    case SurfaceKind::Torus: {
-      const AxisCoordinates c = about_axis(*this, x);
-      const double dr = c.radial - major_radius;
-      return std::sqrt(dr * dr + c.height * c.height) - radius;
-    }
+  return hewn::signed_distance(form(), x.x(), x.y(), x.z());
+}
+
+SurfaceForm Surface::form() const {
+  SurfaceForm f{kind,
+                {point.x(), point.y(), point.z()},
+                {axis.x(), axis.y(), axis.z()},
+                kind == SurfaceKind::Plane ? offset : radius,
+                major_radius};
+  if (kind == SurfaceKind::Cone) {
+    f.first = std::cos(half_angle_rad);
+    f.second = std::sin(half_angle_rad);
   }
-  return 0;
+  return f;
 }
 
 Vec3 Surface::gradient(const Vec3& x) const {

@@ -1,10 +1,9 @@
 #pragma once
 /// The unbounded surfaces that fitting finds and synthesis combines: each splits space in two.
 #include "core/base/math.h"
+#include "core/compute/kernels/surface_form.h"
 
 namespace hewn {
-
-enum class SurfaceKind { Plane, Sphere, Cylinder, Cone, Torus };
 
 /// The halfspace bounded by a surface; inside is where the signed distance is negative.
 struct Surface {
@@ -18,6 +17,8 @@ struct Surface {
 
   /// Exact Euclidean distance but for the cone (distance to its prolonged flank), negative inside.
   double signed_distance(const Vec3& x) const;
+  /// The same surface for kernels, whose distances have the same bits.
+  SurfaceForm form() const;
   /// Unit gradient of `signed_distance`: the outward normal.
   Vec3 gradient(const Vec3& x) const;
 };

@@ -1,0 +1,23 @@
+# HEWN_CUDA=AUTO builds the CUDA device when nvcc is found, ON insists, OFF leaves it out.
+set(HEWN_CUDA AUTO CACHE STRING "CUDA device: AUTO, ON or OFF")
+set_property(CACHE HEWN_CUDA PROPERTY STRINGS AUTO ON OFF)
+set(HEWN_CUDA_FOUND FALSE)
+set(HEWN_CUDA_WHY "HEWN_CUDA is OFF")
+if(NOT HEWN_CUDA STREQUAL "OFF")
+  find_program(HEWN_NVCC nvcc HINTS ${CMAKE_CUDA_COMPILER} $ENV{CUDACXX} $ENV{CUDA_PATH}/bin
+               /usr/local/cuda/bin)
+  if(HEWN_NVCC)
+    # Machine code for Turing, Ampere (and Ada) and Hopper; PTX of the last for what comes later.
+    if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
+      set(CMAKE_CUDA_ARCHITECTURES 75-real 80-real 90)
+    endif()
+    set(CMAKE_CUDA_COMPILER ${HEWN_NVCC})
+    enable_language(CUDA)
+    find_package(CUDAToolkit REQUIRED)
+    set(HEWN_CUDA_FOUND TRUE)
+  elseif(HEWN_CUDA STREQUAL "ON")
+    message(FATAL_ERROR "HEWN_CUDA is ON, but there is no nvcc: install CUDA or set CUDACXX")
+  else()
+    set(HEWN_CUDA_WHY "nvcc not found")
+  endif()
+endif()

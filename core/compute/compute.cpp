@@ -1,0 +1,82 @@
+#include "core/compute/compute.h"
+
+#include <charconv>
+
+namespace hewn {
+
+Result<DeviceChoice> DeviceChoice::parse(std::string_view text) {
+  if (text == "auto") return DeviceChoice{Kind::Auto, 0};
+  if (text == "cpu") return DeviceChoice{Kind::Cpu, 0};
+  if (text == "cuda") return DeviceChoice{Kind::Cuda, 0};
+  constexpr std::string_view kPrefix = "cuda:";
+  if (text.substr(0, kPrefix.size()) == kPrefix) {
+    const std::string_view number = text.substr(kPrefix.size());
+    int index = -1;
+    const auto [end, problem] =
+        std::from_chars(number.data(), number.data() + number.size(), index);
+    if (problem == std::errc() && end == number.data() + number.size() && index >= 0) {
+      return DeviceChoice{Kind::Cuda, index};
+    }
+  }
+  return Error{ErrorCode::InvalidArgument,
+               "'" + std::string(text) + "' is no device; give auto, cpu, cuda or cuda:NUMBER"};
+}
+
+Compute::Compute(int threads, DeviceChoice choice, OpenDevice open)
+    : cpu_(threads), choice_(choice), open_(std::move(open)) {}
+
+Result<void> Compute::run(double cpu_seconds, const RunContext& context, const Job& job) {
+  if (Device* device = accelerator(cpu_seconds, context)) {
+    const Result<void> done = job(*device);
+    const bool is_its_fault = !done && (done.error().code == ErrorCode::Device ||
+                                        done.error().code == ErrorCode::OutOfMemory);
+    if (!is_its_fault) return done;
+    fall_back(done.error(), context);
+  }
+  return job(cpu_);
+}
+
+void Compute::prepare(const RunContext& context) {
+  if (choice_.kind == DeviceChoice::Kind::Cuda) accelerator(0, context);
+}
+
+std::string Compute::device_name() const {
+  const std::lock_guard lock(mutex_);
+  return is_well_ ? device_->info().name : cpu_.info().name;
+}
+
+Device* Compute::accelerator(double cpu_seconds, const RunContext& context) {
+  const bool is_demanded = choice_.kind == DeviceChoice::Kind::Cuda;
+  const bool is_wanted =
+      is_demanded || (choice_.kind == DeviceChoice::Kind::Auto && cpu_seconds >= kLeastSeconds);
+  if (!is_wanted) return nullptr;
+  const std::lock_guard lock(mutex_);
+  if (!is_asked_for_) {
+    is_asked_for_ = true;
+    auto opened = open_ ? open_(choice_.index)
+                        : Error{ErrorCode::Device, "this build has no support for accelerators"};
+    if (opened) {
+      device_ = std::move(*opened);
+      is_well_ = true;
+      context.info("using " + device_->info().name);
+    } else if (is_demanded) {
+      context.warn(opened.error().message + "; the processor does the work");
+    }
+  }
+  return is_well_ ? device_.get() : nullptr;
+}
+
+void Compute::fall_back(const Error& reason, const RunContext& context) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (reason.code == ErrorCode::Device) is_well_ = false;
+    if (std::exchange(is_told_, true)) return;
+  }
+  context.warn(reason.where + ": " + reason.message + "; the processor goes on with the work");
+}
+
+std::shared_ptr<Compute> compute_of(const RunContext& run) {
+  return run.compute ? run.compute : std::make_shared<Compute>(run.threads);
+}
+
+}  // namespace hewn

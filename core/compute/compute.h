@@ -1,0 +1,78 @@
+#pragma once
+/// The choice between the processor and an accelerator, made anew for every job.
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+#include "core/base/run_context.h"
+#include "core/compute/cpu_device.h"
+
+namespace hewn {
+
+/// What the user asked for.
+struct DeviceChoice {
+  enum class Kind {
+    Auto,  ///< an accelerator where it pays
+    Cpu,   ///< never an accelerator
+    Cuda   ///< an accelerator for every job that it can do
+  };
+  Kind kind = Kind::Auto;
+  int index = 0;  ///< of the CUDA device
+
+  /// From "auto", "cpu", "cuda" or "cuda:2". Fails with: InvalidArgument.
+  static Result<DeviceChoice> parse(std::string_view text);
+};
+
+/// Opens accelerator `index`. Fails with: Device, OutOfMemory.
+using OpenDevice = std::function<Result<std::unique_ptr<Device>>(int index)>;
+
+/// Runs jobs on the processor or on an accelerator, which is opened when a job first wants it. A
+/// job for which it has too little memory runs on the processor, and so do all later ones when it
+/// stops working; the user is told once. Thread-safe; outlives the buffers that jobs keep.
+class Compute {
+ public:
+  /// A job's body: uploads, launches and downloads on the device that it is given. It may be
+  /// called again for another device after it has failed on one.
+  using Job = std::function<Result<void>(Device&)>;
+
+  /// The processor only.
+  explicit Compute(int threads) : Compute(threads, {DeviceChoice::Kind::Cpu, 0}, {}) {}
+  Compute(int threads, DeviceChoice choice, OpenDevice open);
+
+  /// Does the job. `cpu_seconds`, an estimate of what it takes on one core, decides with
+  /// `DeviceChoice::Kind::Auto`: see `kLeastSeconds`.
+  /// Fails with: what the job returns on the processor, Cancelled.
+  Result<void> run(double cpu_seconds, const RunContext& context, const Job& job);
+
+  /// Opens the accelerator now if the user demands one, so that its absence is told at the start.
+  void prepare(const RunContext& context);
+
+  /// The accelerator's name once one is open and well, else "processor".
+  std::string device_name() const;
+
+  /// Jobs below this stay on the processor under `Auto`. Opening a device takes some 0.3 s once,
+  /// and a launch with its copies some 50 us each time: a job that keeps a core busy for so long
+  /// outweighs the second many times, and a run with such jobs has several. Not yet measured.
+  static constexpr double kLeastSeconds = 0.02;
+
+ private:
+  /// nullptr: none is wanted or none works.
+  Device* accelerator(double cpu_seconds, const RunContext& context);
+  void fall_back(const Error& reason, const RunContext& context);
+
+  CpuDevice cpu_;
+  DeviceChoice choice_;
+  OpenDevice open_;
+  mutable std::mutex mutex_;   ///< guards the rest
+  bool is_asked_for_ = false;  ///< opening was tried
+  bool is_told_ = false;       ///< the user knows that the processor stands in
+  bool is_well_ = false;
+  std::unique_ptr<Device> device_;
+};
+
+/// `run.compute`, or the processor with `run.threads`.
+std::shared_ptr<Compute> compute_of(const RunContext& run);
+
+}  // namespace hewn

@@ -1,0 +1,35 @@
+#pragma once
+/// The device that a test body runs on.
+#include <memory>
+#include <vector>
+
+#include "core/base/math.h"
+#include "core/base/rng.h"
+#include "core/compute/cpu_device.h"
+
+namespace hewn::testing {
+
+/// The GPU when HEWN_TEST_DEVICE is "cuda", else the processor. nullptr, after saying "SKIPPED:",
+/// when there is no GPU.
+std::unique_ptr<Device> device_under_test();
+
+/// What `device_under_test` must agree with to the bit: one thread without vector instructions.
+inline CpuDevice plain_device() {
+  return CpuDevice(1, CpuDevice::kMemoryBudget, BitPath::Portable);
+}
+
+/// A surface of any kind that cuts the cube [-1, 1]^3.
+SurfaceForm random_surface(Rng& rng);
+std::vector<SurfaceForm> random_surfaces(std::size_t count, Rng& rng);
+/// Uniform in the cube [-2, 2]^3.
+std::vector<Vec3> random_points(std::size_t count, Rng& rng);
+
+/// A shipped sample part, as far as these tests need it: vertices and, for each triangle, its
+/// plane.
+struct SamplePart {
+  std::vector<Vec3> vertices;
+  std::vector<SurfaceForm> planes;
+};
+SamplePart read_sample_part();
+
+}  // namespace hewn::testing
