@@ -2,19 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <optional>
 #include <string>
 
-#include "core/compute/parallel.h"
 #include "core/sample/cells.h"
 #include "core/sample/separate.h"
-#include "core/synth/decompose/construct.h"
 #include "core/synth/decompose/gather.h"
-#include "core/synth/decompose/grow.h"
+#include "core/synth/decompose/list_search.h"
 #include "core/synth/decompose/lower.h"
-#include "core/synth/decompose/neighbourhood.h"
 #include "core/synth/decompose/relax.h"
 #include "core/synth/verify.h"
 
@@ -29,21 +25,9 @@ constexpr int kFewCounterexamples = 3;
 constexpr std::size_t kMaxDensified = 2000;
 constexpr int kDensifyCopies = 4;
 constexpr double kDensifyReach = 0.01;  // of the diagonal
-/// Halfspaces x words of a problem that is still searched with full effort.
-constexpr double kFullEffortWork = 2000;
 /// More surfaces than any design has: the mesh is free-form or hopelessly noisy.
 constexpr std::size_t kMaxHalfspaces = 1500;
-/// Of a full walk: the first refinement of each construction.
-constexpr int kFirstShare = 4;
 constexpr double kOnBox = 3e-4;  // of the diagonal: a halfspace that is a side of the box
-
-/// A right list with what it leaves out of account.
-struct Solution {
-  DecisionList list;
-  bool clip = false;  ///< outside the frame's box nothing was asked of the list
-  int cost() const { return list.cost() + (clip && !list.base ? 1 : 0); }
-  bool is_clipped() const { return clip || list.base; }
-};
 
 /// The halfspaces that a partition may use: its own groups' and those without groups (cut planes).
 SurfaceSet select_surfaces(const SurfaceSet& all, const Labeller& label) {
@@ -180,8 +164,22 @@ class TreeSearch {
   bool search_round(int round) {
     rebuild_columns();
     run_.report("search", share_done(round, 0));
-    if (round > 0 && repair(round)) return true;
-    return construct(round);
+    ListSearchOptions list;
+    list.starts = options_.starts;
+    list.beam_width = options_.beam_width;
+    list.neighbourhood_steps = options_.neighbourhood_steps;
+    list.regrow_tries = options_.regrow_tries;
+    list.may_clip = !problem_.is_subtracted;
+    ListSearch search(spaces_, list, stream(round, 0), run_);
+    bool has_list = round > 0 && search.repair(current_);
+    if (!has_list) {
+      const auto progress = [&](double share) { run_.report("search", share_done(round, share)); };
+      auto found = search.construct(progress);
+      has_list = found.has_value();
+      if (found) current_ = std::move(*found);
+    }
+    answer_.terms_grown += search.terms_grown();
+    return has_list;
   }
 
   /// Rounds are seldom all needed, but none is known to be the last.
@@ -193,99 +191,7 @@ class TreeSearch {
     return 0x500000 + static_cast<std::uint64_t>(round) * 1000 + static_cast<std::uint64_t>(task);
   }
 
-  /// In (0, 1]: less for problems whose terms take long to grow, so that large parts end in time.
-  double effort() const {
-    const auto work = static_cast<double>(columns_->halfspaces() * columns_->words());
-    return std::clamp(kFullEffortWork / work, 0.05, 1.0);
-  }
-
-  NeighbourhoodOptions walk_options(const DecisionList& list, int share) const {
-    NeighbourhoodOptions o;
-    const int full =
-        std::min(40 + 20 * static_cast<int>(list.items.size()), options_.neighbourhood_steps);
-    o.stall_steps = std::max(20, static_cast<int>(full * effort()) / share);
-    o.steps = 4 * o.stall_steps;
-    o.regrow_tries = options_.regrow_tries;
-    return o;
-  }
-
-  /// Several independent constructions, the better of which are refined further.
-  bool construct(int round) {
-    const std::size_t starts = static_cast<std::size_t>(std::max(1, options_.starts));
-    std::vector<std::optional<Solution>> found(starts);
-    std::vector<long> grown(starts, 0);
-    std::atomic<int> ended{0};
-    for_each_index(run_.threads, starts, [&](std::size_t i) {
-      // Past a time limit one construction has to do; the first two differ in what they are asked.
-      if (i > 1 && run_.should_stop()) return;
-      const bool clip = (i & 1) != 0 && !problem_.is_subtracted;
-      const SearchSpace& space = spaces_[clip ? 1 : 0];
-      Rng rng(run_.seed, stream(round, static_cast<int>(i)));
-      TermGrower grower(*columns_, *combinability_);
-      ConstructOptions o;
-      o.beam_width = std::max(2, static_cast<int>(options_.beam_width * std::sqrt(effort())));
-      o.seeds = std::max(8, static_cast<int>(o.seeds * std::sqrt(effort())));
-      o.noise = i < 2 ? 0.15 : 0.4;
-      std::optional<DecisionList> list = construct_list(space, o, grower, rng, run_);
-      if (list) {
-        improve_list(space, walk_options(*list, kFirstShare), *list, grower, rng, run_);
-        found[i] = Solution{std::move(*list), clip};
-      }
-      grown[i] = grower.terms_grown();
-      run_.report("search", share_done(round, 0.8 * ++ended / static_cast<double>(starts)));
-    });
-    for (const long g : grown) answer_.terms_grown += g;
-    std::vector<Solution> solutions;
-    for (auto& f : found) {
-      if (f) solutions.push_back(std::move(*f));
-    }
-    if (solutions.empty()) return false;
-    // Successive halving: fewer and fewer, for longer and longer; in pairs, which two threads
-    // share.
-    int task = 100;
-    for (int share = kFirstShare; share >= 1; share /= 2) {
-      keep_cheapest(solutions, (solutions.size() + 3) / 4 * 2);
-      refine(round, task, share, solutions);
-      task += 100;
-    }
-    keep_cheapest(solutions, 1);
-    current_ = std::move(solutions.front());
-    return true;
-  }
-
-  static void keep_cheapest(std::vector<Solution>& solutions, std::size_t count) {
-    std::stable_sort(solutions.begin(), solutions.end(),
-                     [](const Solution& a, const Solution& b) { return a.cost() < b.cost(); });
-    solutions.resize(std::min(count, solutions.size()));
-  }
-
-  /// Walks from every solution, in parallel.
-  void refine(int round, int task, int share, std::vector<Solution>& solutions) {
-    std::vector<long> grown(solutions.size(), 0);
-    for_each_index(run_.threads, solutions.size(), [&](std::size_t i) {
-      Solution& s = solutions[i];
-      Rng rng(run_.seed, stream(round, task + static_cast<int>(i)));
-      TermGrower grower(*columns_, *combinability_);
-      improve_list(spaces_[s.clip ? 1 : 0], walk_options(s.list, share), s.list, grower, rng, run_);
-      grown[i] = grower.terms_grown();
-    });
-    for (const long g : grown) answer_.terms_grown += g;
-  }
-
-  const SearchSpace& space_of(const Solution& s) const { return spaces_[s.is_clipped() ? 1 : 0]; }
-
-  bool repair(int round) {
-    for (TermPtr& item : current_.list.items) item = with_cover(*columns_, *item);
-    Rng rng(run_.seed, stream(round, 200));
-    TermGrower grower(*columns_, *combinability_);
-    if (!repair_list(space_of(current_), current_.list, grower, rng, run_)) return false;
-    answer_.terms_grown += grower.terms_grown();
-    std::vector<Solution> walks(2, current_);
-    refine(round, 500, 2, walks);
-    keep_cheapest(walks, 1);
-    current_ = std::move(walks.front());
-    return true;
-  }
+  const SearchSpace& space_of(const FoundList& s) const { return spaces_[s.is_clipped() ? 1 : 0]; }
 
   /// Verifies the round's list; true when another round is worthwhile.
   bool check_round(int round) {
@@ -328,7 +234,7 @@ class TreeSearch {
   }
 
   Result<TreeAnswer> finish() {
-    const Solution& solution = *best_;
+    const FoundList& solution = *best_;
     answer_.tree = lowered(solution.list, false);
     if (solution.is_clipped() && !problem_.is_subtracted && reaches_outside(answer_.tree)) {
       answer_.tree = lowered(solution.list, true);
@@ -372,8 +278,8 @@ class TreeSearch {
   std::optional<ColumnTable> columns_;
   std::optional<Combinability> combinability_;
   std::array<SearchSpace, 2> spaces_;  ///< everywhere; inside the frame's box only
-  Solution current_;
-  std::optional<Solution> best_;
+  FoundList current_;
+  std::optional<FoundList> best_;
   double best_error_ = 0;
   TreeAnswer answer_;
 };

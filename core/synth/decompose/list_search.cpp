@@ -1,0 +1,113 @@
+#include "core/synth/decompose/list_search.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "core/compute/parallel.h"
+#include "core/synth/decompose/construct.h"
+#include "core/synth/decompose/grow.h"
+
+namespace hewn {
+namespace {
+
+/// Halfspaces x words of a problem that is still searched with full effort.
+constexpr double kFullEffortWork = 2000;
+/// Of a full walk: the first refinement of each construction.
+constexpr int kFirstShare = 4;
+
+void keep_cheapest(std::vector<FoundList>& lists, std::size_t count) {
+  std::stable_sort(lists.begin(), lists.end(),
+                   [](const FoundList& a, const FoundList& b) { return a.cost() < b.cost(); });
+  lists.resize(std::min(count, lists.size()));
+}
+
+}  // namespace
+
+/// In (0, 1]: less for problems whose terms take long to grow, so that large parts end in time.
+double ListSearch::effort() const {
+  const ColumnTable& columns = *spaces_[0].columns;
+  const auto work = static_cast<double>(columns.halfspaces() * columns.words());
+  return std::clamp(kFullEffortWork / work, 0.05, 1.0);
+}
+
+NeighbourhoodOptions ListSearch::walk_options(const DecisionList& list, int share) const {
+  NeighbourhoodOptions o;
+  const int full =
+      std::min(40 + 20 * static_cast<int>(list.items.size()), options_.neighbourhood_steps);
+  o.stall_steps = std::max(20, static_cast<int>(full * effort()) / share);
+  o.steps = 4 * o.stall_steps;
+  o.regrow_tries = options_.regrow_tries;
+  return o;
+}
+
+std::optional<FoundList> ListSearch::construct(const Progress& progress) {
+  const std::size_t starts = static_cast<std::size_t>(std::max(1, options_.starts));
+  std::vector<std::optional<FoundList>> found(starts);
+  std::vector<long> grown(starts, 0);
+  std::atomic<int> ended{0};
+  for_each_index(run_.threads, starts, [&](std::size_t i) {
+    // Past a time limit one construction has to do; the first two differ in what they are asked.
+    if (i > 1 && run_.should_stop()) return;
+    const bool clip = (i & 1) != 0 && options_.may_clip;
+    const SearchSpace& space = spaces_[clip ? 1 : 0];
+    Rng rng(run_.seed, stream_ + i);
+    TermGrower grower(*space.columns, *space.combinability);
+    ConstructOptions o;
+    o.beam_width = std::max(2, static_cast<int>(options_.beam_width * std::sqrt(effort())));
+    o.seeds = std::max(8, static_cast<int>(o.seeds * std::sqrt(effort())));
+    o.noise = i < 2 ? 0.15 : 0.4;
+    std::optional<DecisionList> list = construct_list(space, o, grower, rng, run_);
+    if (list) {
+      improve_list(space, walk_options(*list, kFirstShare), *list, grower, rng, run_);
+      found[i] = FoundList{std::move(*list), clip};
+    }
+    grown[i] = grower.terms_grown();
+    progress(0.8 * ++ended / static_cast<double>(starts));
+  });
+  for (const long g : grown) terms_grown_ += g;
+  std::vector<FoundList> lists;
+  for (auto& f : found) {
+    if (f) lists.push_back(std::move(*f));
+  }
+  if (lists.empty()) return std::nullopt;
+  // Successive halving: fewer and fewer, for longer and longer; in pairs, which two threads share.
+  int task = 100;
+  for (int share = kFirstShare; share >= 1; share /= 2) {
+    keep_cheapest(lists, (lists.size() + 3) / 4 * 2);
+    refine(task, share, lists);
+    task += 100;
+  }
+  keep_cheapest(lists, 1);
+  return std::move(lists.front());
+}
+
+/// Walks from every list, in parallel.
+void ListSearch::refine(int task, int share, std::vector<FoundList>& lists) {
+  std::vector<long> grown(lists.size(), 0);
+  for_each_index(run_.threads, lists.size(), [&](std::size_t i) {
+    FoundList& f = lists[i];
+    const SearchSpace& space = spaces_[f.clip ? 1 : 0];
+    Rng rng(run_.seed, stream_ + static_cast<std::uint64_t>(task) + i);
+    TermGrower grower(*space.columns, *space.combinability);
+    improve_list(space, walk_options(f.list, share), f.list, grower, rng, run_);
+    grown[i] = grower.terms_grown();
+  });
+  for (const long g : grown) terms_grown_ += g;
+}
+
+bool ListSearch::repair(FoundList& found) {
+  const SearchSpace& space = spaces_[found.is_clipped() ? 1 : 0];
+  for (TermPtr& item : found.list.items) item = with_cover(*space.columns, *item);
+  Rng rng(run_.seed, stream_ + 200);
+  TermGrower grower(*space.columns, *space.combinability);
+  if (!repair_list(space, found.list, grower, rng, run_)) return false;
+  terms_grown_ += grower.terms_grown();
+  std::vector<FoundList> walks(2, found);
+  refine(500, 2, walks);
+  keep_cheapest(walks, 1);
+  found = std::move(walks.front());
+  return true;
+}
+
+}  // namespace hewn
