@@ -164,6 +164,7 @@ ExitCode run_optimise(const OptimiseFlags& flags, Environment& environment) {
   options.tolerance = flags.tolerance;
   options.effort = flags.effort;
   options.derives_primitives = !flags.keeps_primitives;
+  options.rebuilds = !flags.keeps_primitives;
   options.equivalence.points = flags.points;
   options.wants_front = !flags.front.empty();
   options.wants_qubo = !flags.qubo.empty();
@@ -226,7 +227,7 @@ void add_optimise(CLI::App& app, RunFlags& run_flags, Command& chosen) {
                     "use the input's primitives only; none that stands for several");
   command
       ->add_option("--points", flags->points,
-                   "fresh points on which both solids are compared [200000]")
+                   "fresh points on which both solids are compared [50000]")
       ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000'000}));
   add_run_flags(*command, run_flags);
   command->callback([&chosen, flags] {

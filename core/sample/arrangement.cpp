@@ -266,15 +266,17 @@ Result<std::size_t> ArrangementSampler::sample(const ArrangementOptions& options
   const std::size_t volume = 1 + static_cast<std::size_t>(options.volume_lines) / kLinesPerChunk;
   const std::size_t crossings =
       static_cast<std::size_t>(options.crossing_lines) / (kLinesPerChunk / 4);
-  std::vector<Finds> finds(volume + literals + crossings);
+  const std::size_t first = std::min(options.first_literal, literals);
+  const std::size_t faces = literals - first;
+  std::vector<Finds> finds(volume + faces + crossings);
   for_each_index(run.threads, finds.size(), [&](std::size_t i) {
     if (run.is_cancelled()) return;
     if (i < volume) {
       walk_volume(scene, i, finds[i]);
-    } else if (i < volume + literals) {
-      walk_faces(scene, i - volume, finds[i]);
+    } else if (i < volume + faces) {
+      walk_faces(scene, first + i - volume, finds[i]);
     } else {
-      walk_crossings(scene, i - volume - literals, finds[i]);
+      walk_crossings(scene, i - volume - faces, finds[i]);
     }
   });
   // Lines tell cells by counting crossings; the points themselves have the last word.

@@ -36,6 +36,8 @@ struct ArrangementOptions {
   int curves_per_face = 6;    ///< circles on each side of a round face
   int crossing_lines = 3000;  ///< along common lines of two planes, beside those on edges
   std::size_t most_cells = 250'000;
+  /// Lines along faces are drawn for literals from this index on.
+  std::size_t first_literal = 0;
   std::uint64_t stream = 0;  ///< another one finds the cells by other lines
 };
 

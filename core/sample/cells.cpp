@@ -50,11 +50,15 @@ Cells find_cells(const SampleTable& table) {
   return cells;
 }
 
-ColumnTable::ColumnTable(const SampleTable& table, const Cells& cells)
+ColumnTable::ColumnTable(const SampleTable& table, const Cells& cells, Labels labels)
     : halfspaces_(table.halfspaces), kept_index_(cells.size(), -1) {
   std::vector<int> kept;
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    if (!is_clear(cells.inside_count[c], cells.outside_count[c], cells.size())) continue;
+    const int inside = cells.inside_count[c];
+    const int outside = cells.outside_count[c];
+    const bool is_kept = labels == Labels::Exact ? std::min(inside, outside) == 0
+                                                 : is_clear(inside, outside, cells.size());
+    if (!is_kept) continue;
     kept_index_[c] = static_cast<int>(kept.size());
     kept.push_back(static_cast<int>(c));
   }

@@ -25,8 +25,11 @@ Cells find_cells(const SampleTable& table);
 /// One bit per kept cell. All columns have `words` words, zero beyond the last cell.
 class ColumnTable {
  public:
-  /// Leaves out cells without a clear majority, and single stray points of large tables.
-  ColumnTable(const SampleTable& table, const Cells& cells);
+  enum class Labels { Noisy, Exact };
+
+  /// Of noisy labels, leaves out cells without a clear majority, and single stray points of large
+  /// tables; of exact ones, the cells with both labels.
+  ColumnTable(const SampleTable& table, const Cells& cells, Labels labels = Labels::Noisy);
 
   std::size_t cells() const { return cells_; }
   std::size_t words() const { return words_; }

@@ -11,7 +11,7 @@
 namespace hewn {
 
 struct EquivalenceOptions {
-  std::size_t points = 200'000;      ///< fresh random points in the box of all literals
+  std::size_t points = 50'000;       ///< fresh random points in the box of all literals
   double smallest_cell = 1.0 / 64;   ///< of the octree, share of the scale
   double scale = 0;                  ///< the solid's diagonal; 0: taken from the box of `a`
   std::size_t most_cells = 200'000;  ///< of the octree; what is then not proved is left to points

@@ -3,18 +3,29 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/csg/literal_set.h"
+#include "core/csg/tree_inside.h"
 #include "core/sample/thin_cells.h"
+#include "core/synth/rebuild/boundary.h"
+#include "core/synth/rebuild/rebuild.h"
 #include "core/synth/simplify/derived_literals.h"
 #include "core/synth/simplify/dominant.h"
+#include "core/synth/simplify/grow_overlaps.h"
 
 namespace hewn {
 namespace {
+
+/// Of the search for a tree of the solid's surfaces. What it finds is rewritten afterwards, so that
+/// fewer starts do than for reconstruction.
+constexpr int kRebuildStarts = 4;
+constexpr int kRebuildBeam = 4;
+constexpr int kRebuildRounds = 6;
 
 /// Adds the time since its construction to a stage.
 class StageTimer {
@@ -95,6 +106,7 @@ class Optimiser {
       run_.report("cells", 0);
       if (auto done = find_cells(); !done) return done.error();
     }
+    if (auto done = rebuild(); !done) return done.error();
     for (int round = 0; round < options_.rounds; ++round) {
       out_.rounds = round + 1;
       CellColumns cells(sampler_.arrangement());
@@ -104,9 +116,17 @@ class Optimiser {
       if (run_.is_cancelled()) return RunContext::cancelled();
       auto good = check(*found, round);
       if (!good) return good.error();
-      if (*good) return finish(*found);
+      if (*good && is_near_enough()) return finish(*found);
+      if (*good && least_proximity_ > 0) break;
+      if (*good) {
+        // Once more, with proximity as the first aim.
+        least_proximity_ = proximity_before();
+        fallback_ = {*found, derived_, proved_, out_.equivalence};
+        continue;
+      }
       run_.info(fmt::format("round {}: the tree found differs on cells unseen before", round + 1));
     }
+    if (fallback_ && restore_fallback()) return finish(fallback_->formula);
     run_.warn("nothing smaller could be proved to be the same solid; the tree is kept as it is");
     out_.is_input = true;
     return finish(formula_of(input_, literal_of_));
@@ -125,6 +145,57 @@ class Optimiser {
     sampler_ = ArrangementSampler(set_.literals(), 1.5 * diagonal);
     if (auto done = sampler_.sample(lines_, run_); !done) return done.error();
     return {};
+  }
+
+  /// A second start for the search: the solid built anew from its surfaces, until no cell between
+  /// the primitives of both trees speaks against it.
+  Result<void> rebuild() {
+    if (!options_.rebuilds || options_.method != OptimiseMethod::Rewrite) return {};
+    StageTimer timer(out_.seconds, "rebuild");
+    const double scale = sampler_.arrangement().scale;
+    std::vector<Vec3> known = sampler_.arrangement().points;
+    RebuildOptions rebuild;
+    rebuild.depth = options_.tolerance * scale / 2;
+    rebuild.list.starts = kRebuildStarts;
+    rebuild.list.beam_width = kRebuildBeam;
+    TreeRebuilder rebuilder(input_, known, scale, rebuild, run_);
+    for (int round = 0; round < kRebuildRounds; ++round) {
+      auto tree = rebuilder.next();
+      if (!tree) return tree.error();
+      if (!*tree || literal_count(**tree) > 2 * literal_count(input_)) return {};
+      LiteralSet both;
+      both.add(input_);
+      ArrangementOptions lines = lines_;
+      lines.first_literal = both.literals().size();
+      const std::vector<int> literal_of = both.add(**tree);
+      ArrangementSampler sampler(both.literals(), scale);
+      sampler.add(known, run_);
+      if (auto more = sampler.sample(lines, run_); !more) return more.error();
+      if (rebuilder.refute(**tree, sampler.arrangement().points) > 0) continue;
+      rebuilt_ = std::move(**tree);
+      rebuilt_literal_of_ = literal_of;
+      set_ = std::move(both);
+      sampler_ = std::move(sampler);
+      return {};
+    }
+    return {};
+  }
+
+  /// The smaller of two formulas; the rebuilt one only as long as no cell speaks against it.
+  Formula start(const CellColumns& cells, const Column& cared) {
+    Formula best = without_redundancy(input_formula(), cells, cared, run_, &out_.redundancy);
+    if (!rebuilt_) return best;
+    Formula other = formula_of(*rebuilt_, rebuilt_literal_of_);
+    Formula wanted = input_formula();
+    evaluate(wanted, cells);
+    evaluate(other, cells);
+    if (count_differences(wanted.value, other.value, cared) > 0) {
+      run_.info("the tree built anew differs on cells unseen before");
+      rebuilt_.reset();
+      return best;
+    }
+    other = without_redundancy(std::move(other), cells, cared, run_);
+    return leaf_count(other) < leaf_count(best) ? other : best;
   }
 
   /// Finds the primitives that stand for several; they are the columns behind the input's.
@@ -173,7 +244,7 @@ class Optimiser {
     Formula f;
     {
       StageTimer timer(out_.seconds, "redundancy");
-      f = without_redundancy(input_formula(), cells, cared, run_, &out_.redundancy);
+      f = start(cells, cared);
     }
     if (options_.method == OptimiseMethod::Redundancy) return f;
     {
@@ -193,6 +264,7 @@ class Optimiser {
     rewrite.steps_per_literal *= options_.effort;
     rewrite.most_steps *= options_.effort;
     rewrite.most_work *= options_.effort;
+    rewrite.least_proximity = least_proximity_;
     Formula best = rewrite_search(f, cells, cared, rewrite, run_);
     // From far off, as from an inflated tree, a disjunctive form can be the better start.
     constexpr std::size_t kMostCells = 2000;
@@ -240,16 +312,13 @@ class Optimiser {
     Formula value = found;
     evaluate(value, cells);
     if (count_differences(wanted.value, value.value, cared) > 0) return false;
-    StageTimer timer(out_.seconds, "proof");
-    EquivalenceOptions options = options_.equivalence;
-    options.stream = static_cast<std::uint64_t>(round) + 1;
-    options.scale = sampler_.arrangement().scale;
-    options.allowed_distance = options_.tolerance * sampler_.arrangement().scale / 2;
-    const Tree tree = to_tree(found, all_literals(), cells);
-    auto compared = compare_trees(input_, tree, options, run_);
-    if (!compared) return compared.error();
-    out_.equivalence = std::move(*compared);
-    if (out_.equivalence.is_same()) return true;
+    if (grow(found, cells)) {
+      auto same = prove(proved_.tree, round);
+      if (!same || *same) return same;
+    }
+    proved_ = {to_tree(found, all_literals(), cells), formula_proximity(found, cells), false};
+    auto same = prove(proved_.tree, round);
+    if (!same || *same) return same;
     sampler_.add(out_.equivalence.examples, run_);
     // Cells taken for thin in which a point lies deep after all.
     for (const Vec3& p : out_.equivalence.examples) {
@@ -259,6 +328,70 @@ class Optimiser {
     return false;
   }
 
+  Result<bool> prove(const Tree& tree, int round) {
+    StageTimer timer(out_.seconds, "proof");
+    EquivalenceOptions options = options_.equivalence;
+    options.stream = static_cast<std::uint64_t>(round) + 1;
+    options.scale = sampler_.arrangement().scale;
+    options.allowed_distance = options_.tolerance * sampler_.arrangement().scale / 2;
+    auto compared = compare_trees(input_, tree, options, run_);
+    if (!compared) return compared.error();
+    out_.equivalence = std::move(*compared);
+    return out_.equivalence.is_same();
+  }
+
+  /// Lets operands that only touch overlap, into `proved_`. False when that changes nothing, or
+  /// changes the solid on a cell beside the new primitives.
+  bool grow(const Formula& found, const CellColumns& cells) {
+    if (options_.method != OptimiseMethod::Rewrite || !options_.derives_primitives) return false;
+    if (found.is_constant() || found.is_negated || formula_proximity(found, cells) >= 1) {
+      return false;
+    }
+    StageTimer timer(out_.seconds, "grow");
+    const TreeInside inside(input_);
+    proved_ = grow_overlaps(found, all_literals(), sampler_.arrangement().points, inside, run_);
+    if (!proved_.is_changed) return false;
+    LiteralSet both;
+    both.add(input_);
+    ArrangementOptions lines = lines_;
+    lines.first_literal = both.literals().size();
+    both.add(proved_.tree);
+    ArrangementSampler sampler(both.literals(), sampler_.arrangement().scale);
+    if (!sampler.sample(lines, run_)) return false;
+    const TreeInside other(proved_.tree);
+    const TreeRays rays(input_);
+    const double depth = options_.tolerance * sampler_.arrangement().scale / 2;
+    const auto& points = sampler.arrangement().points;
+    return std::none_of(points.begin(), points.end(), [&](const Vec3& p) {
+      return inside.contains(p) != other.contains(p) && !is_free(rays, p, depth);
+    });
+  }
+
+  /// False when a cell found since speaks against it.
+  bool restore_fallback() {
+    derived_ = fallback_->derived;
+    proved_ = fallback_->proved;
+    out_.equivalence = fallback_->equivalence;
+    CellColumns cells(sampler_.arrangement());
+    add_derived(cells);
+    const Column cared = care(cells);
+    Formula wanted = input_formula();
+    Formula value = fallback_->formula;
+    return count_differences(evaluate(wanted, cells), evaluate(value, cells), cared) == 0;
+  }
+
+  double proximity_before() const {
+    return tree_proximity(input_, literal_of_, CellColumns(sampler_.arrangement()));
+  }
+
+  /// Whether the tree proved is as near together as the input. If not, the search runs once more
+  /// for one that is; when there is none, or none smaller than the input, size goes first.
+  bool is_near_enough() const {
+    return options_.method != OptimiseMethod::Rewrite ||
+           (proved_.proximity >= proximity_before() - 1e-12 &&
+            (!fallback_ || tree_size(proved_.tree) < tree_size(input_)));
+  }
+
   Result<OptimiseResult> finish(const Formula& found) {
     CellColumns cells(sampler_.arrangement());
     add_derived(cells);
@@ -266,13 +399,13 @@ class Optimiser {
     out_.resolution = sampler_.arrangement().resolution;
     out_.before = {literal_count(input_), tree_size(input_),
                    tree_proximity(input_, literal_of_, cells)};
-    out_.tree = out_.is_input ? input_ : to_tree(found, all_literals(), cells);
+    out_.tree = out_.is_input ? input_ : proved_.tree;
     if (found.is_constant()) {
       out_.extent = found.is_negated ? SolidExtent::Everything : SolidExtent::Empty;
     }
     out_.after = out_.before;
     if (!out_.is_input) {
-      out_.after = {leaf_count(found), formula_size(found), formula_proximity(found, cells)};
+      out_.after = {leaf_count(found), formula_size(found), proved_.proximity};
     }
     Formula wanted = input_formula();
     evaluate(wanted, cells);
@@ -315,9 +448,20 @@ class Optimiser {
   const RunContext& run_;
   LiteralSet set_;
   std::vector<int> literal_of_;
+  std::optional<Tree> rebuilt_;
+  std::vector<int> rebuilt_literal_of_;
   ArrangementOptions lines_;
   ArrangementSampler sampler_;
   std::vector<DerivedLiteral> derived_;
+  GrownTree proved_;  ///< what the last proof was about
+  double least_proximity_ = 0;
+  struct Proved {
+    Formula formula;
+    std::vector<DerivedLiteral> derived;
+    GrownTree proved;
+    Equivalence equivalence;
+  };
+  std::optional<Proved> fallback_;  ///< smaller, but with a lower proximity than the input
   std::set<std::size_t> is_thick_;
   std::vector<char> is_thin_;  ///< by cell, as far as looked at
   OptimiseResult out_;

@@ -36,6 +36,8 @@ struct OptimiseOptions {
   /// Also use primitives that stand for several of the input's: two aligned boxes that meet in a
   /// box, a cylinder that a box cuts short.
   bool derives_primitives = true;
+  /// Also start from a tree built anew from the surfaces of the solid, with other primitives.
+  bool rebuilds = true;
   int effort = 1;   ///< of the search: steps in units of the default
   int rounds = 12;  ///< of search and check; counterexamples join the cells between them
   ArrangementOptions arrangement = {};

@@ -60,11 +60,17 @@ class RewriteSearch {
   }
 
  private:
-  /// Of formulas of one length the one with the best proximity.
+  /// Of formulas of one length the one with the best proximity, of those near enough first.
   void keep_best() {
     const int size = formula_size(current_);
     const double proximity = formula_proximity(current_, cells_);
-    if (size > best_size_ || (size == best_size_ && proximity <= best_proximity_)) return;
+    const bool meets = proximity >= options_.least_proximity;
+    if (best_meets_ && !meets) return;
+    if (meets == best_meets_ &&
+        (size > best_size_ || (size == best_size_ && proximity <= best_proximity_))) {
+      return;
+    }
+    best_meets_ = meets;
     best_ = current_;
     best_size_ = size;
     best_proximity_ = proximity;
@@ -175,6 +181,7 @@ class RewriteSearch {
   int leaves_ = 0;
   int best_size_ = std::numeric_limits<int>::max();
   double best_proximity_ = 0;
+  bool best_meets_ = false;
 };
 
 }  // namespace

@@ -13,6 +13,8 @@ struct RewriteOptions {
   int attempts = 2;         ///< formulas tried for each window
   /// Work after which the search ends, in words of columns (about 3e9 a second).
   double most_work = 3e9;
+  /// Formulas with at least this proximity are better than those without, whatever their size.
+  double least_proximity = 0;
 };
 
 /// A formula with at most as many literals that agrees with the input on every cell of `care`.

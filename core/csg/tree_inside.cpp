@@ -1,0 +1,34 @@
+#include "core/csg/tree_inside.h"
+
+#include <algorithm>
+
+namespace hewn {
+
+TreeInside::TreeInside(const Tree& tree) : tree_(&tree) {
+  for (const Literal& s : tree.literals) bounds_.push_back(s.bounds());
+}
+
+bool TreeInside::contains(int node, const Vec3& x) const {
+  const Node& n = tree_->nodes[static_cast<std::size_t>(node)];
+  const auto holds = [&](int child) { return contains(child, x); };
+  switch (n.op) {
+    case Op::Literal: {
+      const auto k = static_cast<std::size_t>(n.literal);
+      // Bounds are tight but rounded.
+      const double margin = 1e-9 * bounds_[k].diagonal();
+      return bounds_[k].contains(x, margin) && tree_->literals[k].signed_distance(x) < 0;
+    }
+    case Op::Union:
+      return std::any_of(n.children.begin(), n.children.end(), holds);
+    case Op::Intersection:
+      return !n.children.empty() && std::all_of(n.children.begin(), n.children.end(), holds);
+    case Op::Difference:
+      return !n.children.empty() && holds(n.children.front()) &&
+             std::none_of(n.children.begin() + 1, n.children.end(), holds);
+    case Op::Complement:
+      return n.children.empty() || !holds(n.children.front());
+  }
+  return false;
+}
+
+}  // namespace hewn

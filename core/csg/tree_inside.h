@@ -1,0 +1,24 @@
+#pragma once
+/// Membership in a tree's solid without distances.
+#include <vector>
+
+#include "core/csg/tree.h"
+
+namespace hewn {
+
+/// The same answers as `Tree::contains` but on surfaces, at a fraction of the cost: operands that
+/// cannot change the answer are not looked at. Thread-safe; the tree must outlive it.
+class TreeInside {
+ public:
+  explicit TreeInside(const Tree& tree);
+
+  bool contains(const Vec3& x) const { return tree_->root >= 0 && contains(tree_->root, x); }
+
+ private:
+  bool contains(int node, const Vec3& x) const;
+
+  const Tree* tree_;
+  std::vector<Box3> bounds_;  ///< of each literal
+};
+
+}  // namespace hewn

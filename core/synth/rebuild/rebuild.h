@@ -1,0 +1,46 @@
+#pragma once
+/// A tree built anew from nothing but the surfaces of another one and its solid: the decision-list
+/// search of reconstruction with exact halfspaces and exact labels.
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/run_context.h"
+#include "core/csg/tree.h"
+#include "core/synth/decompose/list_search.h"
+
+namespace hewn {
+
+struct RebuildOptions {
+  /// Points nearer to the solid's surface than this are free; model units.
+  double depth = 0;
+  int volume_points = 8000;
+  ListSearchOptions list = {};
+};
+
+/// Searches for a tree of the solid's own surfaces, again and again as its answers are refuted.
+class TreeRebuilder {
+ public:
+  /// `points` must come out right in any case: one for each known cell. The references must
+  /// outlive it.
+  TreeRebuilder(const Tree& tree, const std::vector<Vec3>& points, double scale,
+                const RebuildOptions& options, const RunContext& run);
+  ~TreeRebuilder();
+  TreeRebuilder(const TreeRebuilder&) = delete;
+  TreeRebuilder& operator=(const TreeRebuilder&) = delete;
+
+  /// A tree that agrees with the given one on all points so far. Nothing when there is none:
+  /// literals without plain surfaces, an unbounded solid, or no list was found.
+  /// Fails with: Cancelled. Deterministic for `run.seed`, for any number of threads.
+  Result<std::optional<Tree>> next();
+
+  /// Of these points, takes those in which `found` is wrong into account. Returns how many.
+  std::size_t refute(const Tree& found, const std::vector<Vec3>& points);
+
+ private:
+  class Search;
+  std::unique_ptr<Search> search_;
+};
+
+}  // namespace hewn
