@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/session/recovery.h"
+#include "core/session/suggest.h"
 
 namespace hewn {
 namespace {
@@ -84,15 +85,35 @@ void leave(Ui& ui) {
 
 void confirm_cut(Ui& ui) {
   if (!ui.state.knife.plane) return;
-  CutStep cut;
-  cut.normal = ui.state.knife.plane->normal;
-  cut.offset = ui.state.knife.plane->offset;
-  cut.groups = refer_to(*ui.session.document().prepared, ui.state.selected);
-  if (ui.session.execute(AddCut{cut})) {
+  const SnappedPlane& plane = *ui.state.knife.plane;
+  const int placed = ui.state.knife.placed_cut;
+  Result<void> done;
+  if (placed >= 0) {
+    done = ui.session.execute(MoveCut{placed, plane.normal, plane.offset});
+  } else {
+    CutStep cut{plane.normal, plane.offset, {}};
+    cut.groups = refer_to(*ui.session.document().prepared, ui.state.selected);
+    done = ui.session.execute(AddCut{cut});
+  }
+  if (done) {
     ui.state.knife = {};
     ui.state.tool = Tool::Select;
     ui.state.selected.clear();
   }
+}
+
+void suggest(Ui& ui) {
+  auto plan = suggest_partitions(ui.session.document(), ui.session.current_result()->found.tree);
+  if (plan) {
+    static_cast<void>(ui.session.execute(SetPlan{plan_text(*plan)}));
+    ui.state.colours = ColourMode::Partition;
+  } else {
+    ui.session.notify(Severity::Info, plan.error().message);
+  }
+}
+
+void open_sample(Ui& ui) {
+  if (ui.session.execute(OpenFile{ui.state.sample})) reset_view(ui.state);
 }
 
 void look(Ui& ui, StandardView view) { ui.state.camera.look(view); }
@@ -123,6 +144,10 @@ void add_file_actions(std::vector<Action>& out) {
   out.push_back({"File", "Export the tree", 'E', kCtrl,
                  "Write the tree as OpenSCAD, JSON, STL, OFF, OBJ, PLY or STEP.", has_mesh,
                  [](Ui& ui) { request_file(ui, Kind::Export); }});
+  out.push_back({"File", "Open in OpenSCAD", 'O', kCtrl | kShift,
+                 "Export the tree into a temporary file and open it in OpenSCAD.",
+                 [](const Ui& ui) { return ui.state.has_openscad && has_mesh(ui); },
+                 put(&StudioState::wants_openscad, true)});
   out.push_back({"File", "Picture of the window", kF12, 0,
                  "Write a PNG of the window into the working folder.", always,
                  put(&StudioState::wants_picture, true)});
@@ -162,6 +187,13 @@ void add_edit_actions(std::vector<Action>& out) {
          static_cast<void>(ui.session.execute(RemovePartition{ui.state.active_partition}));
          ui.state.active_partition.clear();
        }});
+  out.push_back({"Edit", "Suggest partitions", 'G', kCtrl,
+                 "Make partitions from the outermost terms of the tree that was found.",
+                 [](const Ui& ui) {
+                   return ui.session.current_result() &&
+                          ui.session.document().project.root.children.empty();
+                 },
+                 suggest});
   out.push_back({"Edit", "Reconstruct", 'R', kCtrl, "Find the tree of the plan.", has_mesh,
                  command<Reconstruct>()});
   out.push_back({"Edit", "Live reconstruction", 'L', kCtrl,
@@ -185,6 +217,9 @@ void add_select_actions(std::vector<Action>& out) {
   out.push_back({"Select", "Box selection", 'B', 0,
                  "Drag a box: left to right takes what is inside, right to left what it touches.",
                  has_mesh, put(&StudioState::tool, Tool::Box)});
+  out.push_back({"Select", "Lasso selection", 'L', 0,
+                 "Draw around groups: takes those that lie in it for the most part.", has_mesh,
+                 put(&StudioState::tool, Tool::Lasso)});
   out.push_back({"Select", "Same kind", 'S', 0, "Add all groups of the same kind and side.",
                  has_selection, [](Ui& ui) { select_similar_groups(ui, Likeness::Kind); }});
   out.push_back({"Select", "Same radius", 'S', kShift, "Add groups of the same kind and radius.",
@@ -254,6 +289,9 @@ void add_show_actions(std::vector<Action>& out) {
                  put(&StudioState::show, ShowMode::Result)});
   out.push_back({"View", "Show overlay", 'O', 0, "Show the result inside the glassy mesh.",
                  has_result, put(&StudioState::show, ShowMode::Overlay)});
+  out.push_back({"View", "Show difference", 'D', 0,
+                 "Show only where mesh and result differ by more than the tolerance.", has_view,
+                 put(&StudioState::show, ShowMode::Difference)});
   out.push_back({"View", "Light theme", 'T', kCtrl, "Switch between the dark and light theme.",
                  always, flip(&StudioState::is_light)});
   out.push_back(
@@ -263,6 +301,8 @@ void add_show_actions(std::vector<Action>& out) {
          ui.state.palette_at = 0;
        }});
   out.push_back({"Help", "Keys", kF1, 0, "List all keys.", always, flip(&StudioState::shows_keys)});
+  out.push_back({"Help", "Open the sample part", 0, 0, "Open a small part to try things on.",
+                 [](const Ui& ui) { return !ui.state.sample.empty(); }, open_sample});
   out.push_back({"Help", "First steps", 0, 0, "Show the four hints again.", always, [](Ui& ui) {
                    ui.state.shows_hints = true;
                    ui.state.hint = 0;
@@ -339,11 +379,28 @@ const Action& action_named(const Ui& ui, const char* title) {
 }
 
 void select_groups(Ui& ui, const std::vector<int>& groups, Combine how) {
+  std::set<int> barred = ui.state.hidden;
+  for (const PartitionView& view : ui.session.partitions()) {
+    if (!ui.state.locked.contains(view.partition.name)) continue;
+    barred.insert(view.partition.groups.begin(), view.partition.groups.end());
+  }
   std::vector<int> shown;
   for (const int g : groups) {
-    if (!ui.state.hidden.contains(g)) shown.push_back(g);
+    if (!barred.contains(g)) shown.push_back(g);
   }
   ui.state.selected = combined(ui.state.selected, shown, how);
+}
+
+void reset_view(StudioState& state) {
+  state.selected.clear();
+  state.hidden.clear();
+  state.locked.clear();
+  state.active_partition.clear();
+  state.knife = {};
+  state.tool = Tool::Select;
+  state.picked_literal = -1;
+  state.show = ShowMode::Input;
+  state.wants_fit = true;
 }
 
 }  // namespace hewn

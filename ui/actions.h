@@ -35,7 +35,10 @@ bool run_shortcut(Ui& ui, int key, int mods);
 /// The action with this title. Requires: it exists.
 const Action& action_named(const Ui& ui, const char* title);
 
-/// The groups that are hidden or isolated away are left out of selections.
+/// Hidden groups and those of locked partitions are left out of selections.
 void select_groups(Ui& ui, const std::vector<int>& groups, Combine how);
+
+/// Forgets what belongs to the part that was open before.
+void reset_view(StudioState& state);
 
 }  // namespace hewn

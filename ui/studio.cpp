@@ -1,10 +1,12 @@
 #include "ui/studio.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
+#include "core/session/describe.h"
 #include "ui/panels/widgets.h"
 
 namespace hewn {
@@ -23,12 +25,7 @@ Studio::Studio(Session& session, RenderEngine& engine, const Fonts& fonts, float
 }
 
 void Studio::open(const std::filesystem::path& path) {
-  if (!ui_.session.execute(OpenFile{path})) return;
-  state_.selected.clear();
-  state_.hidden.clear();
-  state_.active_partition.clear();
-  state_.show = ShowMode::Input;
-  state_.wants_fit = true;
+  if (ui_.session.execute(OpenFile{path})) reset_view(state_);
 }
 
 bool Studio::key(int key, int mods, bool is_down) {
@@ -62,7 +59,7 @@ void Studio::draw_splitter(const char* name, float x, const PanelArea& middle, f
                            float sign) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  begin_panel(name, {x, middle.y, ui_.px(4), middle.height}, ui_.theme.background);
+  begin_panel(name, {x, middle.y, ui_.px(4), middle.height});
   ImGui::InvisibleButton("drag", {ui_.px(4), middle.height});
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
@@ -76,8 +73,7 @@ void Studio::draw_splitter(const char* name, float x, const PanelArea& middle, f
 
 void Studio::draw_view(const PanelArea& area) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  begin_panel("view", area, ui_.theme.background,
-              ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  begin_panel("view", area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   viewport_.draw(ui_, {area.x, area.y, area.width, area.height});
   draw_gizmo(ui_, area);
   if (ui_.session.document().project.mesh.empty()) {
@@ -89,6 +85,24 @@ void Studio::draw_view(const PanelArea& area) {
   }
   ImGui::End();
   ImGui::PopStyleVar();
+}
+
+void Studio::set_backing(const PanelArea& view, std::initializer_list<PanelArea> panels,
+                         std::initializer_list<PanelArea> splitters) {
+  const ImVec2 ratio = ImGui::GetIO().DisplayFramebufferScale;
+  const auto vec = [](const ImVec4& c) { return glm::vec4(c.x, c.y, c.z, 1); };
+  const auto pixels = [](float v, float by) { return static_cast<int>(std::lround(v * by)); };
+  const auto add = [&](const PanelArea& area, const ImVec4& colour) {
+    backing_.fills.push_back({pixels(area.x, ratio.x), pixels(area.y, ratio.y),
+                              pixels(area.width, ratio.x), pixels(area.height, ratio.y),
+                              vec(colour)});
+  };
+  backing_.lines = vec(ui_.theme.line);
+  backing_.fills.clear();
+  for (const PanelArea& panel : panels) add(panel, ui_.theme.panel);
+  for (const PanelArea& splitter : splitters) add(splitter, ui_.theme.background);
+  backing_.picture_x = pixels(view.x, ratio.x);
+  backing_.picture_y = pixels(view.y, ratio.y);
 }
 
 void Studio::frame(float width, float height) {
@@ -119,23 +133,63 @@ void Studio::frame(float width, float height) {
   const PanelArea window{0, top, width, inner};
   const PanelArea middle{left + split, top + 1, width - left - right - 2 * split, inner};
   const PanelArea view{middle.x, middle.y + tools, middle.width, middle.height - tools};
-  draw_plan_panel(ui_, {0, top + 1, left, inner});
+  const PanelArea plan{0, top + 1, left, inner};
+  const PanelArea toolbar{middle.x, middle.y, middle.width, tools};
+  const PanelArea result{width - right, top + 1, right, inner};
+  const PanelArea status{0, height - bottom, width, bottom};
+  set_backing(view, {plan, toolbar, result, status},
+              {{left, middle.y, split, inner}, {width - right - split, middle.y, split, inner}});
+  draw_plan_panel(ui_, plan);
   draw_splitter("left edge", left, middle, state_.left_width, 1);
-  draw_toolbar(ui_, {middle.x, middle.y, middle.width, tools});
+  draw_toolbar(ui_, toolbar);
   draw_view(view);
   draw_splitter("right edge", width - right - split, middle, state_.right_width, -1);
-  draw_result_panel(ui_, {width - right, top + 1, right, inner});
-  draw_status_bar(ui_, {0, height - bottom, width, bottom});
+  draw_result_panel(ui_, result);
+  draw_status_bar(ui_, status);
   draw_selection_card(ui_, view);
   draw_knife_card(ui_, view);
   draw_section_slider(ui_, view);
   draw_deviation_legend(ui_, view);
   draw_hints(ui_, view);
+  draw_recovery(ui_, view);
   draw_notices(ui_, view);
   draw_palette(ui_, window);
   draw_keys(ui_, window);
   draw_file_panel(ui_, window);
   ImGui::PopFont();
+}
+
+std::string Studio::status_line() const {
+  const Session& session = ui_.session;
+  const Document& document = session.document();
+  const auto shown = session.shown_result();
+  nlohmann::json out = {{"ready", document.is_ready()},
+                        {"busy", session.is_busy()},
+                        {"selected", state_.selected.size()},
+                        {"hovered", state_.hovered},
+                        {"undo", session.history().depth()},
+                        {"can_redo", session.history().can_redo()},
+                        {"cuts", document.project.cuts.size()},
+                        {"partitions", document.project.root.children.size()},
+                        {"results", session.results().size()},
+                        {"is_current", session.current_result() != nullptr},
+                        {"has_view", session.result_view() != nullptr},
+                        {"has_plane", state_.knife.plane.has_value()},
+                        {"has_file_panel", state_.file.kind != FileRequest::Kind::None},
+                        {"hovered_result", state_.hovered_result},
+                        {"active_field", state_.active_field},
+                        {"is_rough", viewport_.wants_detail()}};
+  if (document.is_ready()) out["groups"] = document.prepared->segmentation.groups.size();
+  if (shown) {
+    const Tree& tree = shown->found.tree;
+    out["literals"] = literal_count(tree);
+    const auto picked = static_cast<std::size_t>(state_.picked_literal);
+    if (picked < tree.literals.size()) out["picked"] = describe_literal(tree.literals[picked]);
+  }
+  std::vector<std::string> notices;
+  for (const Notice& notice : session.notices()) notices.push_back(notice.text);
+  out["notices"] = notices;
+  return out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 void Studio::load_settings(const std::filesystem::path& file) {

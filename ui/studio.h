@@ -2,7 +2,9 @@
 /// The whole window's content: lays the panels out and hands keys to actions. Knows neither the
 /// window system nor OpenGL, so that tests run it with an engine that draws nothing.
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
+#include <string>
 
 #include "ui/actions.h"
 #include "ui/panels/panels.h"
@@ -22,6 +24,13 @@ class Studio {
   /// A file was dropped on the window or named on the command line.
   void open(const std::filesystem::path& path);
   bool is_moving() const { return viewport_.is_moving(); }
+  /// The picture is rough because it has just changed: draw again soon.
+  bool wants_detail() const { return viewport_.wants_detail(); }
+  /// What belongs under what Dear ImGui draws; of the last frame.
+  const Backing& backing() const { return backing_; }
+
+  /// One line of JSON for scripts that drive the window: what is open, selected, running, found.
+  std::string status_line() const;
 
   StudioState& state() { return state_; }
   Ui& ui() { return ui_; }
@@ -32,6 +41,8 @@ class Studio {
 
  private:
   void draw_view(const PanelArea& area);
+  void set_backing(const PanelArea& view, std::initializer_list<PanelArea> panels,
+                   std::initializer_list<PanelArea> splitters);
   void draw_splitter(const char* name, float x, const PanelArea& middle, float& width, float sign);
   void remember_recent();
 
@@ -39,6 +50,7 @@ class Studio {
   std::vector<Action> actions_ = make_actions();
   Ui ui_;
   Viewport viewport_;
+  Backing backing_;
   bool was_light_ = false;
 };
 

@@ -15,9 +15,9 @@
 
 namespace hewn {
 
-enum class Tool { Select, Box, Knife };
+enum class Tool { Select, Box, Lasso, Knife };
 enum class ColourMode { Group, Kind, Partition, Deviation };
-enum class ShowMode { Input, Result, Overlay };
+enum class ShowMode { Input, Result, Overlay, Difference };
 
 /// The cut that is being placed.
 struct KnifeState {
@@ -26,6 +26,7 @@ struct KnifeState {
   std::optional<SnappedPlane> plane;
   int crossed = 0;  ///< groups that it would divide
   std::array<char, 32> offset_text{};
+  int placed_cut = -1;  ///< the cut of the plan that is being moved; -1: a new one
 };
 
 /// A file to open, save or export, being chosen.
@@ -51,10 +52,13 @@ struct StudioState {
   std::vector<int> selected;  ///< face groups, ascending
   int hovered = -1;           ///< face group
   int hovered_literal = -1;
+  std::string hovered_result;  ///< source of the tree under the mouse in the Pareto plot
+  std::string active_field;    ///< name of the literal's number that is being typed
   int picked_literal = -1;
   std::vector<int> hovered_groups;  ///< of a row in a list
   std::set<int> hidden;             ///< face groups
   PartitionPath active_partition;   ///< where new partitions go
+  std::set<std::string> locked;     ///< partitions by name: their groups cannot be picked
   KnifeState knife;
 
   bool is_light = false;
@@ -74,6 +78,10 @@ struct StudioState {
   bool wants_fit = false;  ///< when the mesh arrives
   bool wants_close = false;
   bool wants_picture = false;  ///< of the whole window
+  bool has_openscad = false;   ///< it is installed
+  bool wants_openscad = false;
+  std::filesystem::path sample;                    ///< the part for first steps; empty: none
+  std::vector<std::filesystem::path> recoverable;  ///< copies that a crash left behind
   std::vector<std::filesystem::path> recent;
 };
 

@@ -54,6 +54,9 @@ glm::vec3 to_linear(const ImVec4& srgb);
 namespace icon {
 inline constexpr const char* kPointer = "\uf245";
 inline constexpr const char* kBox = "\uf125";
+inline constexpr const char* kLasso = "\uf040";
+inline constexpr const char* kLock = "\uf023";
+inline constexpr const char* kMove = "\uf047";
 inline constexpr const char* kKnife = "\uf0c4";
 inline constexpr const char* kEye = "\uf06e";
 inline constexpr const char* kEyeOff = "\uf070";

@@ -1,27 +1,52 @@
 #include "app/hewn-studio/frame_stats.h"
 
 #include <algorithm>
+#include <ctime>
 #include <numeric>
 
 #include <fmt/format.h>
 
 namespace hewn {
+namespace {
+
+/// Of all threads of the process.
+double cpu_now_ms() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
+}
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+void FrameStats::begin() {
+  start_ = Clock::now();
+  cpu_start_ms_ = cpu_now_ms();
+}
 
 void FrameStats::end(bool is_moving, bool is_busy) {
   const std::chrono::duration<double, std::milli> took = Clock::now() - start_;
-  all_.ms.push_back(took.count());
-  if (is_moving) moving_.ms.push_back(took.count());
-  if (is_busy) busy_.ms.push_back(took.count());
+  const double cpu_ms = cpu_now_ms() - cpu_start_ms_;
+  const auto add = [&](Frames& frames) {
+    frames.ms.push_back(took.count());
+    frames.cpu_ms.push_back(cpu_ms);
+  };
+  add(all_);
+  if (is_moving) add(moving_);
+  if (is_busy) add(busy_);
 }
 
 std::string FrameStats::Frames::text() const {
   if (ms.empty()) return "{\"frames\": 0}";
   std::vector<double> sorted = ms;
   std::sort(sorted.begin(), sorted.end());
-  const double mean =
-      std::accumulate(sorted.begin(), sorted.end(), 0.0) / static_cast<double>(sorted.size());
-  return fmt::format(R"({{"frames": {}, "mean_ms": {:.2f}, "p95_ms": {:.2f}, "max_ms": {:.2f}}})",
-                     sorted.size(), mean, sorted[sorted.size() * 95 / 100], sorted.back());
+  return fmt::format(
+      R"({{"frames": {}, "mean_ms": {:.2f}, "median_ms": {:.2f}, "p95_ms": {:.2f}, "max_ms": {:.2f}, "cpu_ms": {:.2f}}})",
+      sorted.size(), mean(ms), sorted[sorted.size() / 2], sorted[sorted.size() * 95 / 100],
+      sorted.back(), mean(cpu_ms));
 }
 
 std::string FrameStats::summary() const {

@@ -14,6 +14,8 @@ int main(int argc, char** argv) {
   app.add_option("file", options.file, "mesh (.off .stl .obj .ply) or project (.json)");
   app.add_option("--record", options.record, "write the log of commands here, for `hewn replay`");
   app.add_option("--pictures", options.pictures, "folder of the pictures that F12 takes");
+  app.add_option("--status", options.status,
+                 "write the window's state here as JSON whenever it changes, for scripts");
   app.add_option("--width", options.width, "of the window, pixels")->check(CLI::Range(640, 16384));
   app.add_option("--height", options.height, "of the window, pixels")
       ->check(CLI::Range(480, 16384));

@@ -18,7 +18,9 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <unistd.h>
 
+#include "app/hewn-studio/launch.h"
 #include "core/base/file.h"
 #include "core/io/picture.h"
 #include "core/session/recovery.h"
@@ -88,6 +90,7 @@ class Window {
   Window(GLFWwindow* window, GlEngine& engine, const Fonts& fonts, float scale,
          const WindowOptions& options)
       : window_(window),
+        engine_(engine),
         options_(options),
         session_(context(options), [this] { wake(); }),
         studio_(session_, engine, fonts, scale),
@@ -125,10 +128,12 @@ class Window {
 
   void run() {
     const auto settings = state_folder() / "studio.json";
+    std::error_code ignored;
+    const bool is_first_run = !std::filesystem::exists(settings, ignored);
     studio_.load_settings(settings);
     session_.set_live(options_.is_live);
-    offer_recovery();
-    if (!options_.file.empty()) studio_.open(options_.file);
+    session_.set_background_edits(true);
+    open_first(is_first_run);
     while (!glfwWindowShouldClose(window_)) step();
     static_cast<void>(studio_.save_settings(settings));
     if (options_.has_frame_stats) std::printf("%s\n", stats_.summary().c_str());
@@ -181,12 +186,35 @@ class Window {
     glfwPostEmptyEvent();
   }
 
-  void offer_recovery() {
-    for (const auto& copy : find_recoverable(state_folder() / "recovery")) {
-      session_.notify(Severity::Warning,
-                      fmt::format("work was not saved when the program last ended; its copy can be "
-                                  "opened: {}",
-                                  copy.string()));
+  /// Opens what was asked for; on the very first start the sample part, with the hints.
+  void open_first(bool is_first_run) {
+    StudioState& state = studio_.state();
+    state.has_openscad = is_installed("openscad");
+    state.sample = sample_part();
+    state.recoverable = find_recoverable(state_folder() / "recovery");
+    if (!options_.file.empty()) {
+      studio_.open(options_.file);
+    } else if (is_first_run && !state.sample.empty()) {
+      studio_.open(state.sample);
+    }
+  }
+
+  /// Exports into a temporary file, and starts OpenSCAD when it is there.
+  void follow_openscad() {
+    if (std::exchange(studio_.state().wants_openscad, false)) {
+      const auto& mesh = session_.document().project.mesh;
+      std::error_code ignored;
+      design_ = std::filesystem::temp_directory_path(ignored) /
+                fmt::format("hewn-{}-{}.scad", mesh.stem().string(), ::getpid());
+      std::filesystem::remove(design_, ignored);
+      if (!session_.execute(ExportTree{design_})) design_.clear();
+    }
+    if (design_.empty() || session_.is_busy()) return;
+    const auto design = std::exchange(design_, {});
+    std::error_code ignored;
+    if (!std::filesystem::exists(design, ignored)) return;  // the notice tells why
+    if (auto done = launch("openscad", design); !done) {
+      session_.notify(Severity::Error, done.error().message);
     }
   }
 
@@ -194,10 +222,13 @@ class Window {
     if (frames_due_ > 0) {
       glfwPollEvents();
     } else {
-      glfwWaitEventsTimeout(session_.is_busy() ? kWaitBusy_s : kWaitIdle_s);
+      const bool is_soon = session_.is_busy() || studio_.wants_detail();
+      glfwWaitEventsTimeout(is_soon ? kWaitBusy_s : kWaitIdle_s);
+      if (studio_.wants_detail()) frames_due_ = 1;
     }
     if (session_.poll()) touch();
     if (session_.is_busy() && frames_due_ == 0) frames_due_ = 1;  // the job's bar and clock
+    follow_openscad();
     keep_records();
     if (frames_due_ <= 0) return;
     --frames_due_;
@@ -218,10 +249,7 @@ class Window {
     ImGui::NewFrame();
     studio_.frame(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y);
     ImGui::Render();
-    const ImVec4& c = studio_.ui().theme.line;
-    glViewport(0, 0, width, height);
-    glClearColor(c.x, c.y, c.z, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
+    engine_.compose(studio_.backing(), width, height);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     if (std::exchange(studio_.state().wants_picture, false)) save_picture(width, height);
     glfwSwapBuffers(window_);
@@ -252,6 +280,12 @@ class Window {
 
   /// The command log and the copy of an unsaved plan.
   void keep_records() {
+    if (!options_.status.empty()) {
+      std::string status = studio_.status_line();
+      if (status != status_ && write_file(options_.status, status + "\n")) {
+        status_ = std::move(status);
+      }
+    }
     if (!options_.record.empty() && session_.log().size() != recorded_) {
       recorded_ = session_.log().size();
       if (auto done = write_file(options_.record, session_.log()); !done) {
@@ -270,6 +304,7 @@ class Window {
   }
 
   GLFWwindow* window_;
+  GlEngine& engine_;
   WindowOptions options_;
   std::atomic<std::chrono::steady_clock::rep> last_wake_{0};
   Session session_;
@@ -277,12 +312,14 @@ class Window {
   Autosave autosave_;
   FrameStats stats_;
   std::size_t recorded_ = 0;
+  std::string status_;
   std::uint64_t checked_revision_ = 0;
   Autosave::Clock::time_point checked_{};
   std::vector<int> pressed_;  ///< keys that went down since the last frame
   std::vector<KeyEvent> releases_;
   int frames_due_ = kFramesPerEvent;
   int pictures_ = 0;
+  std::filesystem::path design_;  ///< being exported for OpenSCAD
 };
 
 }  // namespace

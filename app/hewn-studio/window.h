@@ -13,6 +13,7 @@ struct WindowOptions {
   std::filesystem::path file;      ///< opened at the start; empty: none
   std::filesystem::path record;    ///< the command log goes here as it grows; empty: nowhere
   std::filesystem::path pictures;  ///< folder of the pictures that F12 takes
+  std::filesystem::path status;    ///< the window's state goes here as it changes; empty: nowhere
   int width = 1280, height = 800;
   int threads = 0;
   bool has_frame_stats = false;

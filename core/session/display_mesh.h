@@ -1,6 +1,6 @@
 #pragma once
-/// A mesh as a renderer wants it: three corners a triangle with their shading normals, and the
-/// lines where faces meet.
+/// A mesh as a renderer wants it: corners with their shading normals, each once, triangles over
+/// them, and the lines where faces meet.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -26,12 +26,19 @@ struct DisplayLineEnd {
 
 struct DisplayMesh {
   Vec3 origin = Vec3::Zero();
-  Box3 bounds;  ///< model coordinates
-  std::vector<DisplayCorner> corners;
-  std::vector<std::int32_t> triangles;  ///< of the mesh, for each three corners
+  Box3 bounds;                         ///< model coordinates
+  std::vector<DisplayCorner> corners;  ///< all different
+  std::vector<std::int32_t> vertices;  ///< of the mesh, for each corner
+  std::vector<std::uint32_t> indices;  ///< of corners, three a triangle
+  /// A rougher picture for slow renderers while the view moves; empty when `indices` are few.
+  std::vector<std::uint32_t> coarse;
   std::vector<DisplayLineEnd> lines;
-  int labels = 0;  ///< one more than the largest label
+  int labels = 0;          ///< one more than the largest label
+  bool is_closed = false;  ///< and oriented: no triangle is seen from behind
 };
+
+/// Meshes of more triangles than this get a coarse version of about half as many.
+inline constexpr std::size_t kManyTriangles = 150000;
 
 /// Corner normals are averaged over triangles of one label that meet at less than 40 degrees; lines
 /// stand where labels change and at borders. `labels` holds one number a triangle. O(n log n).

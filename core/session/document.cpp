@@ -59,6 +59,7 @@ std::string source_key(const Project& project) {
 Result<Document> with_source(Document document, std::shared_ptr<const SegmentedMesh> source,
                              const RunContext& run) {
   const PreparedMesh& plain = source->prepared;
+  document.display = nullptr;
   if (document.project.cuts.empty() && document.project.merges.empty()) {
     document.prepared = std::make_shared<const PreparedMesh>(plain);
   } else {

@@ -13,6 +13,8 @@
 
 namespace hewn {
 
+struct DisplayMesh;
+
 struct Document {
   Project project;
   /// The mesh before cuts and merges; null until it is read, or when an option that shapes the
@@ -20,6 +22,8 @@ struct Document {
   std::shared_ptr<const SegmentedMesh> source;
   /// The mesh with the plan's cuts and merges; null while `source` is.
   std::shared_ptr<const PreparedMesh> prepared;
+  /// `prepared` for drawing, where the job that made it made this too; else null.
+  std::shared_ptr<const DisplayMesh> display;
 
   bool is_ready() const { return prepared != nullptr; }
 };

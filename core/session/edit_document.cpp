@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -73,8 +74,12 @@ class Editor {
     if (!groups) return groups.error();
     if (!(std::abs(command.cut.normal.norm() - 1) < 1e-9)) return refused("the normal is not unit");
     CutStep cut = command.cut;
-    cut.groups = refer_to(*before_.prepared, *groups);
-    next_.project.cuts.push_back(cut);
+    if (before_.project.merges.empty()) {
+      cut.groups = refer_to(*before_.prepared, *groups);
+      next_.project.cuts.push_back(cut);
+    } else if (auto done = cut_merged(std::move(cut), *groups); !done) {
+      return done;
+    }
     if (auto done = derive_groups(); !done) return done;
     if (next_.prepared->segmentation.groups.size() ==
         before_.prepared->segmentation.groups.size()) {
@@ -292,6 +297,7 @@ class Editor {
     if (source_key(next_.project) == source_key(before_.project)) return {};
     next_.source = nullptr;
     next_.prepared = nullptr;
+    next_.display = nullptr;
     return {};
   }
 
@@ -324,12 +330,57 @@ class Editor {
     return {};
   }
 
+  /// Cuts come before merges in a plan: a cut through a merged group must divide all that it is
+  /// made of, and each side is merged again by itself.
+  Result<void> cut_merged(CutStep cut, const std::vector<int>& groups) {
+    if (!before_.source) return refused("the mesh is still being divided into groups");
+    const PreparedMesh& plain = before_.source->prepared;
+    Project unmerged = before_.project;
+    unmerged.merges.clear();
+    auto base = apply_edits(unmerged, plain.mesh, plain.segmentation, run_);
+    if (!base) return base.error();
+    // Merging leaves the triangles as they are.
+    std::vector<int> merged_of;
+    for (const FaceGroup& group : base->segmentation.groups) {
+      merged_of.push_back(
+          before_.prepared->segmentation.group_of_triangle[group.triangles.front()]);
+    }
+    const auto is_cut = [&groups](int merged) {
+      return groups.empty() || std::binary_search(groups.begin(), groups.end(), merged);
+    };
+    std::vector<int> divided;
+    for (std::size_t g = 0; g < merged_of.size(); ++g) {
+      if (!groups.empty() && is_cut(merged_of[g])) divided.push_back(static_cast<int>(g));
+    }
+    cut.groups = refer_to(*base, divided);
+    next_.project.cuts.push_back(cut);
+    Project last;
+    last.cuts = {cut};
+    auto pieces = apply_edits(last, base->mesh, base->segmentation, run_);
+    if (!pieces) return pieces.error();
+    // By merged group and side.
+    std::map<std::pair<int, bool>, std::vector<int>> sets;
+    for (std::size_t g = 0; g < pieces->segmentation.groups.size(); ++g) {
+      const Vec3 at = *refer_to(*pieces, {static_cast<int>(g)}).front().at;
+      const ClosestPoint from = base->query->closest(at);
+      if (from.triangle < 0) continue;
+      const int merged = merged_of[base->segmentation.group_of_triangle[from.triangle]];
+      const bool is_above = is_cut(merged) && cut.normal.dot(at) > cut.offset;
+      sets[{merged, is_above}].push_back(static_cast<int>(g));
+    }
+    next_.project.merges.clear();
+    for (const auto& [place, set] : sets) {
+      if (set.size() > 1) next_.project.merges.push_back(refer_to(*pieces, set));
+    }
+    return {};
+  }
+
   /// Whether the new plan is the old one with a cut or merge behind all others.
   bool only_appends() const {
     const Project& a = before_.project;
     const Project& b = next_.project;
     const bool cut = b.cuts.size() == a.cuts.size() + 1 && b.merges.empty();
-    const bool merge = b.merges.size() == a.merges.size() + 1;
+    const bool merge = b.merges.size() == a.merges.size() + 1 && b.cuts.size() == a.cuts.size();
     return cut || merge;
   }
 
@@ -341,6 +392,7 @@ class Editor {
     auto prepared = apply_edits(last, before_.prepared->mesh, before_.prepared->segmentation, run_);
     if (!prepared) return prepared.error();
     next_.prepared = std::make_shared<const PreparedMesh>(std::move(*prepared));
+    next_.display = nullptr;
     return {};
   }
 

@@ -4,6 +4,8 @@
 #include <exception>
 #include <utility>
 
+#include <sys/resource.h>
+
 namespace hewn {
 
 JobQueue::JobQueue(RunContext base, std::function<void()> wake)
@@ -84,6 +86,10 @@ void JobQueue::wait() {
 }
 
 void JobQueue::run_worker() {
+  // Behind a window, what is drawn comes first. On Linux this is of the thread and those it starts.
+  constexpr int kStepBack = 5;
+  if (wake_)
+    static_cast<void>(::setpriority(PRIO_PROCESS, 0, ::getpriority(PRIO_PROCESS, 0) + kStepBack));
   for (;;) {
     std::shared_ptr<Job> job;
     {

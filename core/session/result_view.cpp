@@ -95,7 +95,7 @@ Result<ResultView> build_result_view(const Reconstruction& found, const RunConte
   const std::vector<double> deviations = vertex_deviations(found.tree, mesh, run);
   if (run.is_cancelled()) return RunContext::cancelled();
   for (std::size_t i = 0; i < view.input.corners.size(); ++i) {
-    const int v = mesh.triangles[view.input.triangles[i / 3]][i % 3];
+    const int v = view.input.vertices[i];
     view.input.corners[i].value = static_cast<float>(deviations[v]);
     view.max_deviation = std::max(view.max_deviation, std::abs(deviations[v]));
   }

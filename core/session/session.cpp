@@ -24,6 +24,14 @@ std::string text_of(const Error& error) {
   return error.where.empty() ? error.message : error.where + ": " + error.message;
 }
 
+/// Edits that make a new mesh or new groups.
+bool shapes_groups(const SessionCommand& command) {
+  return std::holds_alternative<AddCut>(command) || std::holds_alternative<MoveCut>(command) ||
+         std::holds_alternative<DeleteCut>(command) ||
+         std::holds_alternative<MergeGroups>(command) ||
+         std::holds_alternative<DeleteMerge>(command) || std::holds_alternative<SetPlan>(command);
+}
+
 using SharedResult = std::shared_ptr<const FoundResult>;
 
 /// The result of a search from the groups as they stand; of `base`, when it is there, with the
@@ -60,16 +68,30 @@ Result<void> write_result(const FoundResult& result, const ExportTree& command,
 }  // namespace
 
 Session::Session(const RunContext& base, std::function<void()> wake)
-    : jobs_(base, std::move(wake)) {
-  jobs_.on_failure([this](const std::string& job, const std::string& reason) {
+    : edits_(base, wake), jobs_(base, std::move(wake)) {
+  const auto tell = [this](const std::string& job, const std::string& reason) {
     report({ErrorCode::Internal,
             fmt::format("something inside broke: {}; the document is unharmed", reason), job});
+  };
+  jobs_.on_failure(tell);
+  edits_.on_failure([this, tell](const std::string& job, const std::string& reason) {
+    tell(job, reason);
+    drop_edit();
   });
 }
 
 Result<void> Session::execute(const SessionCommand& command) {
-  Result<void> done = carry_out(command);
   ++revision_;
+  const bool is_opening = std::holds_alternative<OpenFile>(command);
+  if (is_editing_ && !is_opening) {
+    waiting_.push_back(command);
+    return {};
+  }
+  if (has_background_edits_ && document().is_ready() && shapes_groups(command)) {
+    start_edit(command);
+    return {};
+  }
+  Result<void> done = carry_out(command);
   if (done) {
     log_ += command_to_line(command) + "\n";
   } else {
@@ -91,16 +113,77 @@ Result<void> Session::carry_out(const SessionCommand& command) {
     if (!(is_undo ? history_.undo() : history_.redo())) {
       return Error{ErrorCode::InvalidArgument, is_undo ? "nothing to undo" : "nothing to do again"};
     }
-  } else {
-    if (const auto* edit = std::get_if<EditLiteral>(&command)) {
-      if (auto possible = check_edit(*edit); !possible) return possible;
-    }
-    auto next = edited(history_.current(), command, RunContext{});
-    if (!next) return next.error();
-    history_.push(title_of(command), std::move(*next));
+  } else if (auto done = edit(command); !done) {
+    return done;
   }
   plan_changed();
   return {};
+}
+
+Result<void> Session::edit(const SessionCommand& command) {
+  if (const auto* change = std::get_if<EditLiteral>(&command)) {
+    if (auto possible = check_edit(*change); !possible) return possible;
+  }
+  auto next = edited(history_.current(), command, RunContext{});
+  if (!next) return next.error();
+  history_.push(title_of(command), std::move(*next));
+  return {};
+}
+
+void Session::start_edit(const SessionCommand& command) {
+  is_editing_ = true;
+  edits_.add(title_of(command),
+             [this, command, number = ++edit_, document = document(), edition = history_.edition(),
+              wants_display = wants_views_](const RunContext& run) -> JobCompletion {
+               auto next = edited(document, command, run);
+               if (next && wants_display && next->prepared && !next->display) {
+                 next->display =
+                     std::make_shared<const DisplayMesh>(build_display_mesh(*next->prepared));
+               }
+               return [this, command, number, edition, outcome = std::move(next)]() mutable {
+                 if (number == edit_) finish_edit(command, edition, std::move(outcome));
+               };
+             });
+}
+
+void Session::finish_edit(const SessionCommand& command, std::uint64_t edition,
+                          Result<Document> next) {
+  ++revision_;
+  is_editing_ = false;
+  if (edition != history_.edition()) {  // the mesh came in anew: once more
+    waiting_.push_front(command);
+  } else if (next) {
+    history_.push(title_of(command), std::move(*next));
+    log_ += command_to_line(command) + "\n";
+    plan_changed();
+  } else {
+    report(next.error());
+  }
+  while (!is_editing_ && !waiting_.empty()) {
+    const SessionCommand following = waiting_.front();
+    waiting_.pop_front();
+    static_cast<void>(execute(following));
+  }
+}
+
+/// Whatever becomes of the edit that runs, it comes too late.
+void Session::drop_edit() {
+  ++edit_;
+  is_editing_ = false;
+  waiting_.clear();
+}
+
+void Session::cancel_jobs() {
+  jobs_.cancel_all();
+  edits_.cancel_all();
+  drop_edit();
+}
+
+std::vector<JobStatus> Session::jobs() const {
+  auto all = edits_.status();
+  const auto others = jobs_.status();
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
 }
 
 /// Refuses what the tree at hand does not have; without one the search finds out.
@@ -128,7 +211,7 @@ Result<void> Session::open(const std::filesystem::path& path) {
     return Error{ErrorCode::FileNotFound, "there is no such file, or it cannot be read",
                  document.project.mesh.string()};
   }
-  jobs_.cancel_all();
+  cancel_jobs();
   results_.clear();
   last_result_ = view_of_ = nullptr;
   view_ = nullptr;
@@ -173,44 +256,50 @@ void Session::plan_changed() {
 
 void Session::start_reading() {
   jobs_.cancel(search_job_);
-  const Project project = document().project;
-  jobs_.add("reading the mesh", [this, project](const RunContext& run) -> JobCompletion {
-    Project plain = project;
-    plain.cuts.clear();
-    plain.merges.clear();
-    RunContext own = run;
-    own.seed = project.seed;
-    auto read = segment_project(plain, own);
-    std::shared_ptr<const DisplayMesh> shown;
-    if (read && project.cuts.empty() && project.merges.empty()) {
-      shown = std::make_shared<const DisplayMesh>(build_display_mesh(read->prepared));
-    }
-    return [this, key = source_key(project), outcome = std::move(read), shown]() mutable {
-      adopt_source(key, std::move(outcome), shown);
-    };
-  });
+  jobs_.add("reading the mesh",
+            [this, document = document(),
+             wants_display = wants_views_](const RunContext& run) -> JobCompletion {
+              Project plain = document.project;
+              plain.cuts.clear();
+              plain.merges.clear();
+              RunContext own = run;
+              own.seed = plain.seed;
+              auto read = segment_project(plain, own);
+              Result<Document> next = Document{};
+              if (read) {
+                next = with_source(document,
+                                   std::make_shared<const SegmentedMesh>(std::move(*read)), own);
+              } else {
+                next = read.error();
+              }
+              if (next && wants_display) {
+                next->display =
+                    std::make_shared<const DisplayMesh>(build_display_mesh(*next->prepared));
+              }
+              return [this, project = document.project, outcome = std::move(next)]() mutable {
+                adopt_source(project, std::move(outcome));
+              };
+            });
 }
 
-void Session::adopt_source(const std::string& key, Result<SegmentedMesh> read,
-                           std::shared_ptr<const DisplayMesh> display) {
+void Session::adopt_source(const Project& project, Result<Document> read) {
   ++revision_;
-  if (key != source_key(document().project)) return;  // the plan has moved on
+  if (source_key(project) != source_key(document().project)) return;  // the plan has moved on
   if (!read) {
     if (read.error().code != ErrorCode::Cancelled) report(read.error());
     return;
   }
-  auto source = std::make_shared<const SegmentedMesh>(std::move(*read));
-  for (const std::string& warning : source->report.warnings) notify(Severity::Info, warning);
-  auto next = with_source(document(), source, RunContext{});
-  if (!next) {
-    report(next.error());
-    return;
+  for (const std::string& warning : read->source->report.warnings) {
+    notify(Severity::Info, warning);
   }
-  history_.amend(std::move(*next));
-  if (display) {
-    display_of_ = document().prepared;
-    display_ = std::move(display);
+  if (plan_text(project) != plan()) {  // other cuts or partitions than when the reading began
+    read = with_source(document(), read->source, RunContext{});
+    if (!read) {
+      report(read.error());
+      return;
+    }
   }
+  history_.amend(std::move(*read));
   if (is_live_ && !current_result()) static_cast<void>(start_search());
 }
 
@@ -384,15 +473,22 @@ void Session::set_live(bool is_live) {
 }
 
 bool Session::poll() {
-  const bool changed = jobs_.poll();
+  bool changed = edits_.poll();
+  changed |= jobs_.poll();
   // Undo and redo may bring back another result than the one that is drawn.
   if (wants_views_ && shown_result() != view_of_) start_view(shown_result());
   return changed;
 }
 
-void Session::wait() { jobs_.wait(); }
+void Session::wait() {
+  while (is_busy()) {
+    edits_.wait();
+    jobs_.wait();
+  }
+}
 
 std::shared_ptr<const DisplayMesh> Session::display() {
+  if (document().display) return document().display;
   const auto& prepared = document().prepared;
   if (prepared && prepared != display_of_) {
     display_ = std::make_shared<const DisplayMesh>(build_display_mesh(*prepared));

@@ -2,6 +2,7 @@
 /// The working session behind a window or a replayed log: one document with its history, jobs,
 /// results, notices and the record of everything done. Knows no user interface.
 #include <chrono>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -44,6 +45,12 @@ class Session {
   /// nothing is recorded, and the notices say why.
   Result<void> execute(const SessionCommand& command);
 
+  /// Carry out edits of the groups (cuts, merges) on a worker of their own. They succeed for now;
+  /// what comes after them waits its turn, and the notices tell of a failure. Off unless told
+  /// otherwise: runs without a window want the outcome at once.
+  void set_background_edits(bool is_on) { has_background_edits_ = is_on; }
+  bool is_editing() const { return is_editing_; }
+
   /// Opens a copy that a crash left behind; the plan counts as not saved.
   Result<void> recover(const std::filesystem::path& copy);
 
@@ -51,11 +58,11 @@ class Session {
   bool poll();
   /// Polls until all jobs are done. For runs without a window.
   void wait();
-  void cancel_jobs() { jobs_.cancel_all(); }
+  void cancel_jobs();
   /// Whether results are prepared for drawing; on unless told otherwise.
   void set_views(bool wants_views) { wants_views_ = wants_views; }
-  std::vector<JobStatus> jobs() const { return jobs_.status(); }
-  bool is_busy() const { return !jobs_.is_idle(); }
+  std::vector<JobStatus> jobs() const;
+  bool is_busy() const { return !jobs_.is_idle() || !edits_.is_idle(); }
 
   const Document& document() const { return history_.current(); }
   const History& history() const { return history_; }
@@ -100,14 +107,17 @@ class Session {
  private:
   Result<void> check_edit(const EditLiteral& command) const;
   Result<void> carry_out(const SessionCommand& command);
+  Result<void> edit(const SessionCommand& command);
+  void start_edit(const SessionCommand& command);
+  void finish_edit(const SessionCommand& command, std::uint64_t edition, Result<Document> next);
+  void drop_edit();
   Result<void> open(const std::filesystem::path& path);
   Result<void> save(const std::filesystem::path& path);
   Result<void> export_tree(const ExportTree& command);
   Result<void> start_search();
   void plan_changed();
   void start_reading();
-  void adopt_source(const std::string& key, Result<SegmentedMesh> read,
-                    std::shared_ptr<const DisplayMesh> display);
+  void adopt_source(const Project& project, Result<Document> read);
   void adopt_result(std::shared_ptr<const FoundResult> result);
   void start_view(const std::shared_ptr<const FoundResult>& result);
   std::shared_ptr<const FoundResult> result_for(const std::string& plan) const;
@@ -141,9 +151,14 @@ class Session {
   std::shared_ptr<const DisplayMesh> display_;
   std::vector<Notice> notices_;
   bool has_failed_ = false;
+  bool has_background_edits_ = false;
+  bool is_editing_ = false;
+  int edit_ = 0;                        ///< number of the edit that counts
+  std::deque<SessionCommand> waiting_;  ///< for the edit to be done
   std::string log_;
   std::uint64_t revision_ = 1;
-  JobQueue jobs_;  ///< last: its worker must end before the rest goes
+  JobQueue edits_;
+  JobQueue jobs_;  ///< the queues come last: their workers must end before the rest goes
 };
 
 }  // namespace hewn

@@ -1,5 +1,7 @@
 #include "ui/gl/gl_engine.h"
 
+#include <string>
+
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -66,6 +68,16 @@ void allocate_texture(const GlTexture& texture, GLint internal, GLenum format, G
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
+/// Mesa's renderers for machines without a graphics card.
+bool is_software_renderer() {
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));  // NOLINT: its type
+  const std::string renderer = name ? name : "";
+  for (const char* known : {"llvmpipe", "softpipe", "swrast", "Software"}) {
+    if (renderer.find(known) != std::string::npos) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Result<GlEngine> GlEngine::create() {
@@ -73,16 +85,19 @@ Result<GlEngine> GlEngine::create() {
   const struct {
     GlProgram* program;
     const char *vertex, *fragment;
+    const char* define = nullptr;
   } programs[] = {{&out.faces_, shaders::mesh_vert, shaders::mesh_frag},
-                  {&out.ids_, shaders::mesh_vert, shaders::ids_frag},
+                  {&out.fields_, shaders::mesh_vert, shaders::mesh_frag, "HAS_FIELDS"},
+                  {&out.ids_, shaders::ids_vert, shaders::ids_frag},
                   {&out.lines_, shaders::lines_vert, shaders::lines_frag},
                   {&out.sheets_, shaders::sheet_vert, shaders::sheet_frag},
                   {&out.backdrop_, shaders::backdrop_vert, shaders::backdrop_frag}};
   for (const auto& p : programs) {
-    auto linked = link_program(p.vertex, p.fragment);
+    auto linked = link_program(p.vertex, p.fragment, p.define);
     if (!linked) return linked.error();
     *p.program = std::move(*linked);
   }
+  out.is_software_ = is_software_renderer();
   out.empty_array_ = make_vertex_array();
   out.sheet_array_ = make_vertex_array();
   out.sheet_buffer_ = make_buffer();
@@ -131,22 +146,34 @@ void GlEngine::resize_ids(int width, int height) {
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, id_texture_.get(), 0);
 }
 
-void GlEngine::draw_faces(const Scene& scene, const SceneItem& item) const {
+void GlEngine::draw_faces(const Scene& scene, const SceneItem& item, int exact_pass) const {
   const GpuMesh& part = mesh(item.slot);
   const glm::vec3 shift = shift_of(scene, part);
-  glUseProgram(faces_.get());
-  set(faces_, "view_projection", matrix_for(scene, part));
-  set(faces_, "section", shifted(scene.section, shift));
-  set(faces_, "knife", shifted(scene.knife, shift));
-  set(faces_, "to_view", glm::mat3(scene.view));
-  set(faces_, "opacity", item.opacity);
-  set(faces_, "accent", scene.accent);
-  set(faces_, "cut_face", scene.cut_face);
-  set(faces_, "shows_deviation", item.shows_deviation);
-  set(faces_, "deviation_scale", item.deviation_scale);
-  set(faces_, "has_knife", scene.has_knife);
+  const bool has_fields = item.shows_deviation || scene.has_knife;
+  const GlProgram& program = has_fields ? fields_ : faces_;
+  glUseProgram(program.get());
+  set(program, "view_projection", matrix_for(scene, part));
+  set(program, "section", shifted(scene.section, shift));
+  set(program, "to_view", glm::mat3(scene.view));
+  set(program, "opacity", item.opacity);
+  set(program, "accent", scene.accent);
+  set(program, "cut_face", scene.cut_face);
+  if (has_fields) {
+    set(program, "knife", shifted(scene.knife, shift));
+    set(program, "shows_deviation", item.shows_deviation);
+    glUniform1i(glGetUniformLocation(program.get(), "exact_pass"), exact_pass);
+    set(program, "deviation_scale", item.deviation_scale);
+    set(program, "has_knife", scene.has_knife);
+  }
   part.bind_states();
-  part.draw_faces();
+  // Half of a closed solid is turned away and hidden by the rest.
+  const bool has_section = glm::vec3(scene.section) != glm::vec3(0);
+  if (part.is_closed() && item.opacity >= 1 && !has_section && !scene.hides_faces &&
+      exact_pass == 0) {
+    glEnable(GL_CULL_FACE);
+  }
+  part.draw_faces(scene.is_coarse);
+  glDisable(GL_CULL_FACE);
 }
 
 void GlEngine::draw_lines(const Scene& scene, const SceneItem& item) const {
@@ -172,7 +199,7 @@ void GlEngine::draw_wires(const Scene& scene, const SceneItem& item) const {
   glm::vec4 tint = scene.line;
   tint.a *= 0.5F;
   set(sheets_, "tint", tint);
-  part.draw_faces();
+  part.draw_faces(scene.is_coarse);
   glDisable(GL_POLYGON_OFFSET_LINE);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
@@ -180,14 +207,15 @@ void GlEngine::draw_wires(const Scene& scene, const SceneItem& item) const {
 void GlEngine::draw_item(const Scene& scene, const SceneItem& item) const {
   if (mesh(item.slot).is_empty()) return;
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  if (item.opacity < 1) {
+  if (item.fades_exact) draw_faces(scene, item, 1);
+  if (item.opacity < 1 || item.fades_exact) {
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
     // A glassy mesh lies on the solid that it is compared with: it must win everywhere or nowhere.
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(-2, -2);
   }
-  draw_faces(scene, item);
+  draw_faces(scene, item, item.fades_exact ? 2 : 0);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDepthMask(GL_TRUE);
   glEnable(GL_BLEND);
@@ -238,7 +266,7 @@ void GlEngine::set_states(MeshSlot slot, std::span<const LabelState> states) {
   meshes_[static_cast<std::size_t>(slot)].set_states(states);
 }
 
-std::uint64_t GlEngine::draw(const Scene& scene, int width, int height, int samples) {
+void GlEngine::draw(const Scene& scene, int width, int height, int samples) {
   resize(width, height, samples);
   glBindFramebuffer(GL_FRAMEBUFFER, samples > 1 ? multi_target_.get() : target_.get());
   glViewport(0, 0, width, height);
@@ -263,7 +291,30 @@ std::uint64_t GlEngine::draw(const Scene& scene, int width, int height, int samp
   }
   glBindVertexArray(0);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  return texture_.get();
+  if (is_software_) glFinish();  // the window wants to know what a picture costs
+}
+
+void GlEngine::compose(const Backing& backing, int width, int height) const {
+  const auto clear = [](const glm::vec4& c) {
+    glClearColor(c.r, c.g, c.b, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+  };
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, width, height);
+  glDisable(GL_SCISSOR_TEST);
+  clear(backing.lines);
+  glEnable(GL_SCISSOR_TEST);
+  for (const BackingFill& fill : backing.fills) {
+    glScissor(fill.x, height - fill.y - fill.height, fill.width, fill.height);
+    clear(fill.colour);
+  }
+  glDisable(GL_SCISSOR_TEST);
+  if (width_ == 0) return;
+  const int bottom = height - backing.picture_y - height_;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.get());
+  glBlitFramebuffer(0, 0, width_, height_, backing.picture_x, bottom, backing.picture_x + width_,
+                    bottom + height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 void GlEngine::read_ids(const Scene& scene, int width, int height, IdImage& out) {
@@ -283,7 +334,7 @@ void GlEngine::read_ids(const Scene& scene, int width, int height, IdImage& out)
     set(ids_, "view_projection", matrix_for(scene, part));
     set(ids_, "section", shifted(scene.section, shift_of(scene, part)));
     part.bind_states();
-    part.draw_faces();
+    part.draw_faces(false);
     glDisable(GL_CLIP_DISTANCE0);
     glDisable(GL_DEPTH_TEST);
   }

@@ -16,8 +16,12 @@ class GlEngine : public RenderEngine {
 
   void show_mesh(MeshSlot slot, const DisplayMesh* mesh) override;
   void set_states(MeshSlot slot, std::span<const LabelState> states) override;
-  std::uint64_t draw(const Scene& scene, int width, int height, int samples) override;
+  void draw(const Scene& scene, int width, int height, int samples) override;
   void read_ids(const Scene& scene, int width, int height, IdImage& out) override;
+  bool is_software() const override { return is_software_; }
+
+  /// Puts plain rectangles and the picture that was drawn last where the window is to show them.
+  void compose(const Backing& backing, int width, int height) const;
 
  private:
   GlEngine() = default;
@@ -26,13 +30,14 @@ class GlEngine : public RenderEngine {
   void resize_ids(int width, int height);
   void draw_backdrop(const Scene& scene) const;
   void draw_item(const Scene& scene, const SceneItem& item) const;
-  void draw_faces(const Scene& scene, const SceneItem& item) const;
+  /// `exact_pass`: as in shaders/mesh.frag.
+  void draw_faces(const Scene& scene, const SceneItem& item, int exact_pass) const;
   void draw_lines(const Scene& scene, const SceneItem& item) const;
   void draw_wires(const Scene& scene, const SceneItem& item) const;
   void draw_sheets(const Scene& scene) const;
 
   std::array<GpuMesh, kMeshSlots> meshes_;
-  GlProgram faces_, lines_, ids_, sheets_, backdrop_;
+  GlProgram faces_, fields_, lines_, ids_, sheets_, backdrop_;
   GlVertexArray empty_array_, sheet_array_;
   GlBuffer sheet_buffer_;
   GlFramebuffer target_, multi_target_, id_target_;
@@ -40,6 +45,7 @@ class GlEngine : public RenderEngine {
   GlRenderbuffer depth_, multi_colour_, multi_depth_, id_depth_;
   int width_ = 0, height_ = 0, samples_ = 0;
   int id_width_ = 0, id_height_ = 0;
+  bool is_software_ = false;
 };
 
 }  // namespace hewn

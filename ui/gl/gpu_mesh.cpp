@@ -14,12 +14,15 @@ void GpuMesh::upload(const DisplayMesh& mesh) {
     face_array_ = make_vertex_array();
     line_array_ = make_vertex_array();
     face_buffer_ = make_buffer();
+    index_buffer_ = make_buffer();
     line_buffer_ = make_buffer();
     state_buffer_ = make_buffer();
     state_texture_ = make_texture();
   }
   origin_ = mesh.origin;
-  corners_ = static_cast<GLsizei>(mesh.corners.size());
+  is_closed_ = mesh.is_closed;
+  indices_ = static_cast<GLsizei>(mesh.indices.size());
+  coarse_ = static_cast<GLsizei>(mesh.coarse.size());
   lines_ = static_cast<GLsizei>(mesh.lines.size());
 
   glBindVertexArray(face_array_.get());
@@ -27,6 +30,15 @@ void GpuMesh::upload(const DisplayMesh& mesh) {
   glBufferData(GL_ARRAY_BUFFER,
                static_cast<GLsizeiptr>(mesh.corners.size() * sizeof(DisplayCorner)),
                mesh.corners.data(), GL_STATIC_DRAW);
+  constexpr std::size_t kIndex = sizeof(std::uint32_t);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer_.get());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+               static_cast<GLsizeiptr>((mesh.indices.size() + mesh.coarse.size()) * kIndex),
+               nullptr, GL_STATIC_DRAW);
+  glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(mesh.indices.size() * kIndex),
+                  mesh.indices.data());
+  glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLintptr>(mesh.indices.size() * kIndex),
+                  static_cast<GLsizeiptr>(mesh.coarse.size() * kIndex), mesh.coarse.data());
   constexpr GLsizei kCorner = sizeof(DisplayCorner);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kCorner, at(offsetof(DisplayCorner, position)));
   glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, kCorner, at(offsetof(DisplayCorner, normal)));
@@ -61,9 +73,12 @@ void GpuMesh::bind_states() const {
   glBindTexture(GL_TEXTURE_BUFFER, state_texture_.get());
 }
 
-void GpuMesh::draw_faces() const {
+void GpuMesh::draw_faces(bool is_coarse) const {
   glBindVertexArray(face_array_.get());
-  glDrawArrays(GL_TRIANGLES, 0, corners_);
+  const bool has_coarse = is_coarse && coarse_ > 0;
+  const std::size_t begin =
+      has_coarse ? sizeof(std::uint32_t) * static_cast<std::size_t>(indices_) : 0;
+  glDrawElements(GL_TRIANGLES, has_coarse ? coarse_ : indices_, GL_UNSIGNED_INT, at(begin));
 }
 
 void GpuMesh::draw_lines() const {

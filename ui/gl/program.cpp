@@ -14,9 +14,12 @@ std::string log_of(GLuint object, const Get& get) {
   return log;
 }
 
-Result<GLuint> compile(GLenum stage, const char* source) {
+Result<GLuint> compile(GLenum stage, std::string source, const char* define) {
+  // The version must stay the first line.
+  if (define) source.insert(source.find('\n') + 1, std::string("#define ") + define + "\n");
   const GLuint shader = glCreateShader(stage);
-  glShaderSource(shader, 1, &source, nullptr);
+  const char* text = source.c_str();
+  glShaderSource(shader, 1, &text, nullptr);
   glCompileShader(shader);
   GLint done = GL_FALSE;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
@@ -41,10 +44,11 @@ GlTexture make_texture() { return made<GlTexture>(glGenTextures); }
 GlFramebuffer make_framebuffer() { return made<GlFramebuffer>(glGenFramebuffers); }
 GlRenderbuffer make_renderbuffer() { return made<GlRenderbuffer>(glGenRenderbuffers); }
 
-Result<GlProgram> link_program(const char* vertex_source, const char* fragment_source) {
-  auto vertex = compile(GL_VERTEX_SHADER, vertex_source);
+Result<GlProgram> link_program(const char* vertex_source, const char* fragment_source,
+                               const char* define) {
+  auto vertex = compile(GL_VERTEX_SHADER, vertex_source, define);
   if (!vertex) return vertex.error();
-  auto fragment = compile(GL_FRAGMENT_SHADER, fragment_source);
+  auto fragment = compile(GL_FRAGMENT_SHADER, fragment_source, define);
   if (!fragment) {
     glDeleteShader(*vertex);
     return fragment.error();

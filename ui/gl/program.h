@@ -50,7 +50,9 @@ GlTexture make_texture();
 GlFramebuffer make_framebuffer();
 GlRenderbuffer make_renderbuffer();
 
-/// Fails with Internal: the driver's message.
-Result<GlProgram> link_program(const char* vertex_source, const char* fragment_source);
+/// `define`: a name that is defined in both sources; null: none. Fails with Internal: the driver's
+/// message.
+Result<GlProgram> link_program(const char* vertex_source, const char* fragment_source,
+                               const char* define = nullptr);
 
 }  // namespace hewn

@@ -5,6 +5,7 @@ namespace hewn::shaders {
 extern const char* const backdrop_frag;
 extern const char* const backdrop_vert;
 extern const char* const ids_frag;
+extern const char* const ids_vert;
 extern const char* const lines_frag;
 extern const char* const lines_vert;
 extern const char* const mesh_frag;

@@ -209,6 +209,31 @@ void draw_notices(Ui& ui, const PanelArea& view) {
   }
 }
 
+void draw_recovery(Ui& ui, const PanelArea& view) {
+  if (ui.state.recoverable.empty()) return;
+  const std::filesystem::path copy = ui.state.recoverable.front();
+  begin_card(ui, "recovery", view.x + view.width / 2, view.y + ui.px(64), {0.5F, 0});
+  ImGui::PushFont(ui.fonts.heading);
+  ImGui::TextUnformatted("Unsaved work was kept");
+  ImGui::PopFont();
+  faint_text(ui, "The program ended before this plan was saved. The copy is at most a minute old.");
+  if (ImGui::Button("Open the copy")) {
+    if (ui.session.recover(copy)) reset_view(ui.state);
+    // A copy that cannot be opened stays on the disk; the notice says why.
+    ui.state.recoverable.erase(ui.state.recoverable.begin());
+  }
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", copy.string().c_str());
+  ImGui::SameLine(0, ui.px(8));
+  if (ImGui::Button("Throw it away")) {
+    std::error_code ignored;
+    std::filesystem::remove(copy, ignored);
+    ui.state.recoverable.erase(ui.state.recoverable.begin());
+  }
+  ImGui::SameLine(0, ui.px(8));
+  if (ImGui::Button("Later")) ui.state.recoverable.clear();
+  end_card();
+}
+
 void draw_hints(Ui& ui, const PanelArea& view) {
   StudioState& state = ui.state;
   constexpr int kCount = static_cast<int>(std::size(kHints));

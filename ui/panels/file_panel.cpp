@@ -51,7 +51,10 @@ void finish(Ui& ui) {
     return;
   }
   Result<void> done;
-  if (file.kind == Kind::Open) done = ui.session.execute(OpenFile{path});
+  if (file.kind == Kind::Open) {
+    done = ui.session.execute(OpenFile{path});
+    if (done) reset_view(ui.state);
+  }
   if (file.kind == Kind::SaveProject) done = ui.session.execute(SaveProject{path});
   if (file.kind == Kind::Export) done = ui.session.execute(ExportTree{path});
   if (done) file.kind = Kind::None;

@@ -22,6 +22,7 @@ void draw_gizmo(Ui& ui, const PanelArea& view);             ///< axes, lower rig
 void draw_section_slider(Ui& ui, const PanelArea& view);    ///< while a section is shown
 void draw_deviation_legend(Ui& ui, const PanelArea& view);  ///< while deviations are shown
 void draw_notices(Ui& ui, const PanelArea& view);           ///< upper right of the part
+void draw_recovery(Ui& ui, const PanelArea& view);          ///< after a crash
 void draw_hints(Ui& ui, const PanelArea& view);             ///< first steps
 void draw_palette(Ui& ui, const PanelArea& window);         ///< find a command
 void draw_keys(Ui& ui, const PanelArea& window);            ///< list of keys

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -6,6 +7,7 @@
 
 #include "core/session/describe.h"
 #include "ui/panels/widgets.h"
+#include "ui/tools/knife.h"
 
 namespace hewn {
 namespace {
@@ -36,6 +38,39 @@ void draw_op_choice(Ui& ui, const PartitionView& view) {
   }
 }
 
+bool is_all_hidden(const Ui& ui, const std::vector<int>& groups) {
+  return !groups.empty() && std::all_of(groups.begin(), groups.end(),
+                                        [&](int g) { return ui.state.hidden.contains(g); });
+}
+
+void flip_visibility(Ui& ui, const std::vector<int>& groups) {
+  const bool is_hidden = is_all_hidden(ui, groups);
+  for (const int g : groups) {
+    if (is_hidden) {
+      ui.state.hidden.erase(g);
+    } else {
+      ui.state.hidden.insert(g);
+    }
+  }
+  std::erase_if(ui.state.selected, [&ui](int g) { return ui.state.hidden.contains(g); });
+}
+
+/// What can be seen and picked of a partition.
+void draw_reach(Ui& ui, const PartitionView& view) {
+  const bool is_hidden = is_all_hidden(ui, view.partition.groups);
+  if (ImGui::MenuItem(is_hidden ? "Show" : "Hide")) flip_visibility(ui, view.partition.groups);
+  const bool is_locked = ui.state.locked.contains(view.partition.name);
+  if (!ImGui::MenuItem("Locked", nullptr, is_locked)) return;
+  if (is_locked) {
+    ui.state.locked.erase(view.partition.name);
+    return;
+  }
+  ui.state.locked.insert(view.partition.name);
+  std::erase_if(ui.state.selected, [&view](int g) {
+    return std::binary_search(view.partition.groups.begin(), view.partition.groups.end(), g);
+  });
+}
+
 void draw_row_menu(Ui& ui, const PartitionView& view) {
   if (!ImGui::BeginPopupContextItem("row")) return;
   if (ImGui::MenuItem("Select its groups")) {
@@ -45,6 +80,7 @@ void draw_row_menu(Ui& ui, const PartitionView& view) {
     const auto refs = refer_to(*ui.session.document().prepared, ui.state.selected);
     static_cast<void>(ui.session.execute(AssignGroups{view.path, refs}));
   }
+  draw_reach(ui, view);
   if (ImGui::MenuItem("Rename")) {
     ui.state.is_renaming = true;
     ui.state.renaming = view.path;
@@ -85,16 +121,40 @@ void draw_drag(Ui& ui, const std::vector<PartitionView>& views, std::size_t row)
   ImGui::EndDragDropTarget();
 }
 
-/// Error and size of the partition in the shown result.
+/// How far the partition has got: found, being searched, failed.
 std::string result_of(const Ui& ui, const std::string& name) {
   const auto result = ui.session.current_result();
-  if (!result) return {};
+  if (!result) {
+    for (const JobStatus& job : ui.session.jobs()) {
+      if (job.name != "searching") continue;
+      return job.is_running ? fmt::format("{:.0f} %", 100 * job.share) : "waiting";
+    }
+    return ui.session.failure().empty() ? "" : "failed";
+  }
   for (const PartitionResult& p : result->found.partitions) {
     if (p.name != name) continue;
     const int literals = literal_count(p.answer.tree);
     return fmt::format("{} literal{}", literals, literals == 1 ? "" : "s");
   }
   return {};
+}
+
+/// The eye at the right end of a row; bright while the row is under the mouse.
+void draw_eye(Ui& ui, const PartitionView& view, bool is_hot, const ImVec2& lo, const ImVec2& hi) {
+  const bool is_hidden = is_all_hidden(ui, view.partition.groups);
+  const bool is_locked = ui.state.locked.contains(view.partition.name);
+  if (!ui.fonts.has_icons || !(is_hot || is_hidden || is_locked)) return;
+  std::string signs = is_hidden ? icon::kEyeOff : icon::kEye;
+  if (is_locked) signs = std::string(icon::kLock) + " " + signs;
+  const float width = ImGui::CalcTextSize(signs.c_str()).x;
+  const float x = hi.x - width - ui.px(4);
+  ImGui::GetWindowDrawList()->AddRectFilled({x - ui.px(4), lo.y}, hi,
+                                            ImGui::GetColorU32(ui.theme.raised), ui.px(4));
+  ImGui::GetWindowDrawList()->AddText({x, lo.y + ui.px(1)}, ImGui::GetColorU32(ui.theme.text),
+                                      signs.c_str());
+  const bool is_over = ImGui::IsMouseHoveringRect({hi.x - ui.px(24), lo.y}, hi);
+  if (is_over) ImGui::SetTooltip("%s", is_hidden ? "Show its groups." : "Hide its groups.");
+  if (is_over && ImGui::IsMouseClicked(0)) flip_visibility(ui, view.partition.groups);
 }
 
 void draw_partition(Ui& ui, const std::vector<PartitionView>& views, std::size_t row) {
@@ -122,7 +182,10 @@ void draw_partition(Ui& ui, const std::vector<PartitionView>& views, std::size_t
         select_groups(ui, view.partition.groups, Combine::Replace);
       }
     }
-    if (ImGui::IsItemHovered()) ui.state.hovered_groups = view.partition.groups;
+    const bool is_hot = ImGui::IsItemHovered();
+    const ImVec2 lo = ImGui::GetItemRectMin();
+    const ImVec2 hi = ImGui::GetItemRectMax();
+    if (is_hot) ui.state.hovered_groups = view.partition.groups;
     draw_row_menu(ui, view);
     draw_drag(ui, views, row);
     ImGui::SameLine(indent + ui.px(24));
@@ -135,6 +198,7 @@ void draw_partition(Ui& ui, const std::vector<PartitionView>& views, std::size_t
     ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.faint);
     right_aligned(right);
     ImGui::PopStyleColor();
+    draw_eye(ui, view, is_hot, lo, hi);
   }
   if (indent > 0) ImGui::Unindent(indent);
   ImGui::PopID();
@@ -158,6 +222,9 @@ void draw_partitions(Ui& ui) {
   action_button(ui, "New partition", "Add  P", half);
   ImGui::SameLine();
   action_button(ui, "Subtract as partition", "Subtract  Shift+P", half);
+  if (views.size() == 1 && ui.session.current_result()) {
+    action_button(ui, "Suggest partitions", "Suggest from the tree  Ctrl+G", 2 * half + ui.px(8));
+  }
 }
 
 void draw_cut(Ui& ui, int index) {
@@ -179,14 +246,22 @@ void draw_cut(Ui& ui, int index) {
   ImGui::SameLine();
   double offset = axis >= 0 ? cut.offset * cut.normal[axis] : cut.offset;
   const double shown = offset;
-  ImGui::SetNextItemWidth(-ui.px(36));
+  ImGui::SetNextItemWidth(-ui.px(68));
   const bool is_done =
       ImGui::InputDouble("##offset", &offset, 0, 0, "%.6g", ImGuiInputTextFlags_EnterReturnsTrue);
   if (is_done && offset != shown) {
     const double signed_offset = axis >= 0 ? offset * cut.normal[axis] : offset;
     static_cast<void>(ui.session.execute(MoveCut{index, cut.normal, signed_offset}));
   }
-  ImGui::SameLine();
+  ImGui::SameLine(0, ui.px(4));
+  if (ImGui::Button(ui.fonts.has_icons ? icon::kMove : "m")) {
+    ui.state.tool = Tool::Knife;
+    ui.state.selected.clear();
+    set_knife_plane(ui, {cut.normal, cut.offset, ""});
+    ui.state.knife.placed_cut = index;
+  }
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("Move and turn this cut with handles.");
+  ImGui::SameLine(0, ui.px(4));
   if (ImGui::Button(ui.fonts.has_icons ? icon::kTrash : "x")) {
     static_cast<void>(ui.session.execute(DeleteCut{index}));
   }
@@ -272,7 +347,7 @@ void draw_groups(Ui& ui) {
 }  // namespace
 
 void draw_plan_panel(Ui& ui, const PanelArea& area) {
-  begin_panel("plan", area, ui.theme.panel);
+  begin_panel("plan", area);
   ui.state.hovered_groups.clear();
   if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) ui.state.hovered_literal = -1;
   draw_partitions(ui);

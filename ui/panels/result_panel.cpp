@@ -96,6 +96,7 @@ void draw_field(Ui& ui, int literal, const LiteralField& field, double diagonal)
   ImGui::SetNextItemWidth(ui.px(104));
   const bool is_done =
       ImGui::InputDouble("##value", &value, 0, 0, "%.6g", ImGuiInputTextFlags_EnterReturnsTrue);
+  if (ImGui::IsItemActive()) ui.state.active_field = field.name;
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%.17g model units; Enter changes it", field.value);
   const double rounder = suggested_value(field.value, diagonal);
   if (rounder != field.value) {
@@ -220,6 +221,7 @@ void draw_pareto(Ui& ui) {
   ImGui::PopTextWrapPos();
   ImGui::PopFont();
   if (!nearest) return;
+  ui.state.hovered_result = nearest->source;
   ImGui::SetTooltip(
       "%s: %d literals, size %d, proximity %.3f,\nIoU %.4f, mean error %s", nearest->source.c_str(),
       literal_count(nearest->found.tree), tree_size(nearest->found.tree),
@@ -251,7 +253,9 @@ void draw_empty(Ui& ui) {
 }  // namespace
 
 void draw_result_panel(Ui& ui, const PanelArea& area) {
-  begin_panel("result", area, ui.theme.panel);
+  begin_panel("result", area);
+  ui.state.hovered_result.clear();
+  ui.state.active_field.clear();
   if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) ui.state.hovered_literal = -1;
   heading(ui, "Result");
   const auto result = ui.session.shown_result();

@@ -42,11 +42,12 @@ std::string counts_text(const Ui& ui) {
 
 void draw_status_bar(Ui& ui, const PanelArea& area) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(5)});
-  begin_panel("status", area, ui.theme.panel, ImGuiWindowFlags_NoScrollbar);
+  begin_panel("status", area, ImGuiWindowFlags_NoScrollbar);
   ImGui::PushFont(ui.fonts.small);
   const auto jobs = ui.session.jobs();
   if (jobs.empty()) {
-    faint_text(ui, ui.state.tool == Tool::Knife ? "drag a line across the part; Alt: no snapping"
+    faint_text(ui, ui.state.tool == Tool::Knife   ? "drag a line across the part; Alt: no snapping"
+                   : ui.state.tool == Tool::Lasso ? "draw around the groups"
                    : ui.state.tool == Tool::Box ? "drag a box: to the right encloses, to the left "
                                                   "touches"
                                                 : "ready");

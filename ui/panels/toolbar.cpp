@@ -5,12 +5,18 @@ namespace {
 
 void gap(const Ui& ui) { ImGui::SameLine(0, ui.px(16)); }
 
+/// Icons alone where there are icons: the names would not leave room for the rest at 1280 pixels.
 void draw_tool(Ui& ui, const char* symbol, const char* name, Tool tool, const char* title) {
-  if (toggle_button(ui, with_icon(ui, symbol, name), ui.state.tool == tool)) {
+  const std::string label = ui.fonts.has_icons ? std::string(symbol) + "##" + name : name;
+  if (toggle_button(ui, label, ui.state.tool == tool)) {
     ui.state.tool = tool;
     ui.state.knife = {};
   }
-  if (title) action_tip(action_named(ui, title));
+  if (title) {
+    action_tip(action_named(ui, title));
+  } else if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("Select: click a face; drag on empty space for a box.");
+  }
   ImGui::SameLine(0, ui.px(4));
 }
 
@@ -35,14 +41,16 @@ void draw_flag(Ui& ui, const char* name, bool is_on, const char* title) {
 void draw_toolbar(Ui& ui, const PanelArea& area) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(6)});
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(6), ui.px(4)});
-  begin_panel("toolbar", area, ui.theme.panel, ImGuiWindowFlags_NoScrollbar);
+  begin_panel("toolbar", area, ImGuiWindowFlags_NoScrollbar);
   draw_tool(ui, icon::kPointer, "Select", Tool::Select, nullptr);
   draw_tool(ui, icon::kBox, "Box", Tool::Box, "Box selection");
+  draw_tool(ui, icon::kLasso, "Lasso", Tool::Lasso, "Lasso selection");
   draw_tool(ui, icon::kKnife, "Knife", Tool::Knife, "Knife");
   gap(ui);
   draw_show(ui, "Input", ShowMode::Input, "Show input");
   draw_show(ui, "Result", ShowMode::Result, "Show result");
   draw_show(ui, "Overlay", ShowMode::Overlay, "Show overlay");
+  draw_show(ui, "Diff", ShowMode::Difference, "Show difference");
   gap(ui);
   ImGui::SetNextItemWidth(ui.px(92));
   int mode = static_cast<int>(ui.state.colours);

@@ -2,16 +2,14 @@
 
 namespace hewn {
 
-void begin_panel(const char* name, const PanelArea& area, const ImVec4& background,
-                 ImGuiWindowFlags extra) {
+void begin_panel(const char* name, const PanelArea& area, ImGuiWindowFlags extra) {
   ImGui::SetNextWindowPos({area.x, area.y});
   ImGui::SetNextWindowSize({area.width, area.height});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, background);
   ImGui::Begin(name, nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoTitleBar |
+                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                    ImGuiWindowFlags_NoNav | extra);
-  ImGui::PopStyleColor();
 }
 
 void begin_card(const Ui& ui, const char* name, float x, float y, ImVec2 anchor) {

@@ -7,9 +7,9 @@
 
 namespace hewn {
 
-/// A window without a frame at a fixed place; call ImGui::End after it.
-void begin_panel(const char* name, const PanelArea& area, const ImVec4& background,
-                 ImGuiWindowFlags extra = 0);
+/// A window without a frame at a fixed place; call ImGui::End after it. Its background is part of
+/// the studio's backing.
+void begin_panel(const char* name, const PanelArea& area, ImGuiWindowFlags extra = 0);
 
 /// A card that floats over the part, sized to its content; call `end_card` after it.
 /// `anchor`: the point of the card, 0 to 1, that is put at (x, y).

@@ -65,11 +65,12 @@ void add_items(const Ui& ui, Scene& scene) {
   if (shows_deviation(ui)) {
     input.slot = MeshSlot::Measured;
     input.shows_deviation = true;
+    input.fades_exact = show == ShowMode::Difference;
     input.deviation_scale = deviation_scale(ui);
     scene.items.push_back(input);
     return;
   }
-  if (show == ShowMode::Input || !has_surface) {
+  if (show == ShowMode::Input || show == ShowMode::Difference || !has_surface) {
     // What a literal in the tree explains of the mesh.
     if (view && ui.state.hovered_literal >= 0) input.slot = MeshSlot::Measured;
     scene.items.push_back(input);
@@ -101,8 +102,9 @@ void set_colours(const Ui& ui, Scene& scene) {
 
 bool shows_deviation(const Ui& ui) {
   const ShowMode show = ui.state.is_comparing ? ShowMode::Input : ui.state.show;
-  return ui.state.colours == ColourMode::Deviation && ui.session.result_view() &&
-         show == ShowMode::Input;
+  if (!ui.session.result_view()) return false;
+  if (show == ShowMode::Difference) return true;
+  return ui.state.colours == ColourMode::Deviation && show == ShowMode::Input;
 }
 
 glm::vec2 deviation_scale(const Ui& ui) {
@@ -167,6 +169,7 @@ Scene build_scene(const Ui& ui, const ViewArea& area) {
   scene.view = ui.state.camera.view();
   scene.projection = ui.state.camera.projection(area.aspect());
   scene.is_wireframe = ui.state.is_wireframe;
+  scene.hides_faces = !ui.state.hidden.empty();
   const Document& document = ui.session.document();
   if (!document.is_ready()) return scene;
   const Box3& bounds = document.prepared->mesh->bounds;

@@ -32,6 +32,7 @@ struct SceneItem {
   float opacity = 1;
   bool has_lines = true;
   bool shows_deviation = false;
+  bool fades_exact = false;         ///< glassy where the deviation is within the tolerance
   glm::vec2 deviation_scale{0, 1};  ///< tolerance and largest, model units
   bool operator==(const SceneItem&) const = default;
 };
@@ -52,10 +53,26 @@ struct Scene {
   glm::vec4 section{0}, knife{0};
   bool has_knife = false;
   bool is_wireframe = false;
+  bool hides_faces = false;             ///< some labels are hidden: backs can be seen
+  bool is_coarse = false;               ///< the rougher triangles will do
   glm::vec3 top{0}, bottom{0};          ///< backdrop, sRGB
   glm::vec3 accent{0}, cut_face{0};     ///< linear
   glm::vec4 line{0}, selected_line{1};  ///< sRGB
   bool operator==(const Scene&) const = default;
+};
+
+/// A rectangle of one colour in framebuffer pixels from the top left.
+struct BackingFill {
+  int x = 0, y = 0, width = 0, height = 0;
+  glm::vec4 colour{0};
+};
+
+/// What lies under the window's content. Drawn plainly, because blending every pixel of the window
+/// is slow without a graphics card.
+struct Backing {
+  glm::vec4 lines{0};  ///< shows between the rectangles
+  std::vector<BackingFill> fills;
+  int picture_x = 0, picture_y = 0;  ///< where the scene's picture begins, at the top left
 };
 
 /// Label + 1 of every pixel, rows from the bottom; 0 where nothing is.
@@ -74,10 +91,12 @@ class RenderEngine {
   virtual void show_mesh(MeshSlot slot, const DisplayMesh* mesh) = 0;
   /// One for each label of the slot's mesh.
   virtual void set_states(MeshSlot slot, std::span<const LabelState> states) = 0;
-  /// Returns the picture's handle for Dear ImGui. `samples`: 1 or 4 per pixel.
-  virtual std::uint64_t draw(const Scene& scene, int width, int height, int samples) = 0;
+  /// Draws into a picture that the window puts in place. `samples`: 1 or 4 per pixel.
+  virtual void draw(const Scene& scene, int width, int height, int samples) = 0;
   /// The labels of the first item.
   virtual void read_ids(const Scene& scene, int width, int height, IdImage& out) = 0;
+  /// Whether the processor draws, so that every sample counts.
+  virtual bool is_software() const = 0;
 };
 
 /// An engine without a screen.
@@ -85,8 +104,9 @@ class NullEngine : public RenderEngine {
  public:
   void show_mesh(MeshSlot, const DisplayMesh*) override {}
   void set_states(MeshSlot, std::span<const LabelState>) override {}
-  std::uint64_t draw(const Scene&, int, int, int) override { return 0; }
+  void draw(const Scene&, int, int, int) override {}
   void read_ids(const Scene&, int width, int height, IdImage& out) override;
+  bool is_software() const override { return false; }
 };
 
 }  // namespace hewn

@@ -11,7 +11,9 @@ namespace hewn {
 namespace {
 
 constexpr float kDragStart = 4;         // pixels before a press becomes a drag
-constexpr double kSlowPicture_ms = 25;  // slower: no antialiasing while the camera moves
+constexpr double kSlowPicture_ms = 25;  // slower: rough pictures while something changes
+constexpr double kBusyPicture_ms = 70;  // slower: details wait until no job runs
+constexpr std::chrono::milliseconds kSettle{120};
 
 Combine combination() {
   const ImGuiIO& io = ImGui::GetIO();
@@ -22,6 +24,17 @@ Combine combination() {
 
 bool picks_groups(const Scene& scene) {
   return !scene.items.empty() && scene.items[0].slot == MeshSlot::Input;
+}
+
+/// What decides where labels are seen.
+Scene geometry_of(const Scene& scene) {
+  Scene bare;
+  for (const SceneItem& item : scene.items) bare.items.push_back({item.slot});
+  bare.origin = scene.origin;
+  bare.view = scene.view;
+  bare.projection = scene.projection;
+  bare.section = scene.section;
+  return bare;
 }
 
 /// Groups with pixels in the box; `must_enclose`: and none outside.
@@ -47,6 +60,35 @@ std::vector<int> groups_in(const IdImage& ids, int x0, int y0, int x1, int y1, b
   return groups;
 }
 
+/// Groups with more of their pixels inside the closed line than outside.
+std::vector<int> groups_around(const IdImage& ids, const std::vector<std::array<float, 2>>& line) {
+  std::vector<int> balance;
+  std::vector<float> crossings;
+  for (int y = 0; y < ids.height; ++y) {
+    const float at = static_cast<float>(y) + 0.5F;
+    crossings.clear();
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const auto &a = line[i], &b = line[(i + 1) % line.size()];
+      if ((a[1] > at) == (b[1] > at)) continue;
+      crossings.push_back(a[0] + (at - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
+    }
+    std::sort(crossings.begin(), crossings.end());
+    std::size_t passed = 0;
+    for (int x = 0; x < ids.width; ++x) {
+      while (passed < crossings.size() && crossings[passed] <= static_cast<float>(x)) ++passed;
+      const int label = ids.at(x, y);
+      if (label < 0) continue;
+      if (static_cast<std::size_t>(label) >= balance.size()) balance.resize(label + 1, 0);
+      balance[label] += passed % 2 == 1 ? 1 : -1;
+    }
+  }
+  std::vector<int> groups;
+  for (std::size_t g = 0; g < balance.size(); ++g) {
+    if (balance[g] > 0) groups.push_back(static_cast<int>(g));
+  }
+  return groups;
+}
+
 }  // namespace
 
 void Viewport::sync_meshes(Ui& ui) {
@@ -58,6 +100,7 @@ void Viewport::sync_meshes(Ui& ui) {
     input_ = input;
     engine_.show_mesh(MeshSlot::Input, input_.get());
     states_.clear();
+    has_ids_ = false;
     must_draw_ = true;
     ui.state.hovered = -1;
     const int count = input ? input->labels : 0;
@@ -70,6 +113,7 @@ void Viewport::sync_meshes(Ui& ui) {
     engine_.show_mesh(MeshSlot::Surface, result ? &result->surface : nullptr);
     engine_.show_mesh(MeshSlot::Measured, result ? &result->input : nullptr);
     literal_states_.clear();
+    has_ids_ = false;
     must_draw_ = true;
     ui.state.hovered_literal = -1;
     const auto shown = ui.session.shown_result();
@@ -81,6 +125,8 @@ void Viewport::sync_meshes(Ui& ui) {
 void Viewport::sync_states(Ui& ui) {
   auto states = group_states(ui);
   if (states != states_) {
+    has_ids_ = has_ids_ && hidden_ == ui.state.hidden;
+    hidden_ = ui.state.hidden;
     states_ = std::move(states);
     engine_.set_states(MeshSlot::Input, states_);
     must_draw_ = true;
@@ -103,36 +149,48 @@ void Viewport::draw(Ui& ui, const ViewArea& area) {
   const bool is_hovered = ImGui::IsWindowHovered() && !ImGui::IsAnyItemHovered();
   follow_mouse(ui, area, is_hovered);
   sync_states(ui);
-  const Scene scene = build_scene(ui, area);
-  const bool is_slow = frame_cost_ms_ > kSlowPicture_ms;
-  const int samples = is_moving() && is_slow ? 1 : 4;
-  must_draw_ |= !(scene == drawn_) || samples != drawn_samples_ || area.width != drawn_width_ ||
-                area.height != drawn_height_;
-  if (must_draw_) {
-    const auto start = std::chrono::steady_clock::now();
-    picture_ =
-        engine_.draw(scene, static_cast<int>(area.width), static_cast<int>(area.height), samples);
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    if (samples == 4) frame_cost_ms_ = took.count();
-    drawn_ = scene;
-    drawn_samples_ = samples;
-    drawn_width_ = area.width;
-    drawn_height_ = area.height;
-    must_draw_ = false;
-    has_ids_ = false;
-  }
-  if (picture_ != 0) {
-    ImGui::GetWindowDrawList()->AddImage(
-        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture_)),  // NOLINT: its type
-        {area.x, area.y}, {area.x + area.width, area.y + area.height}, {0, 1}, {1, 0});
-  }
+  draw_picture(ui, area);
+  draw_knife_handles(ui, area);
   draw_rubber_band(ui);
 }
 
-const IdImage& Viewport::ids(const Ui& ui, const ViewArea& area) {
-  if (!has_ids_) {
-    engine_.read_ids(build_scene(ui, area), static_cast<int>(area.width),
-                     static_cast<int>(area.height), ids_);
+bool Viewport::is_slow() const {
+  return engine_.is_software() || detail_cost_ms_ > kSlowPicture_ms;
+}
+
+/// Slow engines draw roughly while things change and add what is missing when they stand still.
+void Viewport::draw_picture(const Ui& ui, const ViewArea& area) {
+  Scene scene = build_scene(ui, area);
+  const auto now = Clock::now();
+  must_draw_ |= !(scene == drawn_) || area.width != drawn_width_ || area.height != drawn_height_;
+  if (must_draw_) changed_ = now;
+  const bool has_settled = !is_moving() && now - changed_ >= kSettle;
+  const bool can_wait = ui.session.is_busy() && detail_cost_ms_ > kBusyPicture_ms;
+  is_rough_ = is_slow() && (!has_settled || can_wait);
+  const int samples = is_rough_ ? 1 : 4;
+  if (!must_draw_ && (samples == drawn_samples_ || is_rough_)) return;
+  drawn_ = scene;
+  scene.is_coarse = is_rough_;
+  const ImVec2 ratio = ImGui::GetIO().DisplayFramebufferScale;
+  const auto start = Clock::now();
+  engine_.draw(scene, static_cast<int>(std::lround(area.width * ratio.x)),
+               static_cast<int>(std::lround(area.height * ratio.y)), samples);
+  const std::chrono::duration<double, std::milli> took = Clock::now() - start;
+  detail_cost_ms_ = is_rough_ ? std::max(detail_cost_ms_, took.count()) : took.count();
+  drawn_samples_ = samples;
+  drawn_width_ = area.width;
+  drawn_height_ = area.height;
+  must_draw_ = false;
+}
+
+bool Viewport::has_ids(const Scene& scene) const {
+  return has_ids_ && ids_scene_ == geometry_of(scene);
+}
+
+const IdImage& Viewport::ids(const Scene& scene, const ViewArea& area) {
+  if (!has_ids(scene)) {
+    engine_.read_ids(scene, static_cast<int>(area.width), static_cast<int>(area.height), ids_);
+    ids_scene_ = geometry_of(scene);
     has_ids_ = true;
   }
   return ids_;
@@ -157,7 +215,7 @@ void Viewport::follow_mouse(Ui& ui, const ViewArea& area, bool is_hovered) {
   hover(ui, area, is_hovered);
 }
 
-void Viewport::begin_drag(Ui& ui, const ViewArea&) {
+void Viewport::begin_drag(Ui& ui, const ViewArea& area) {
   const ImGuiIO& io = ImGui::GetIO();
   for (int button = 0; button < 3; ++button) {
     if (!ImGui::IsMouseClicked(button)) continue;
@@ -168,7 +226,11 @@ void Viewport::begin_drag(Ui& ui, const ViewArea&) {
     } else if (button == 2 || io.KeyAlt) {
       drag_ = Drag::Orbit;
     } else if (ui.state.tool == Tool::Knife) {
-      drag_ = Drag::Knife;
+      handle_ = knife_handle_at(ui, area, {io.MousePos.x, io.MousePos.y});
+      drag_ = handle_ == KnifeHandle::None ? Drag::Knife : Drag::Handle;
+    } else if (ui.state.tool == Tool::Lasso) {
+      drag_ = Drag::Lasso;
+      lasso_ = {drag_start_};
     } else {
       drag_ = ui.state.tool == Tool::Box ? Drag::Box : Drag::Pick;
     }
@@ -185,11 +247,17 @@ void Viewport::continue_drag(Ui& ui, const ViewArea& area) {
   if (drag_ == Drag::Pan) ui.state.camera.pan(dx, dy, area.height);
   if (drag_ == Drag::Pick && moved > kDragStart) drag_ = Drag::Box;
   if (drag_ == Drag::Knife && moved > kDragStart) place_knife(ui, area);
+  if (drag_ == Drag::Handle) drag_knife_handle(ui, area, handle_, {dx, dy});
+  if (drag_ == Drag::Lasso && std::hypot(io.MousePos.x - lasso_.back()[0],
+                                         io.MousePos.y - lasso_.back()[1]) > kDragStart / 2) {
+    lasso_.push_back({io.MousePos.x, io.MousePos.y});
+  }
 }
 
 void Viewport::end_drag(Ui& ui, const ViewArea& area) {
   if (drag_ == Drag::Pick) click(ui);
   if (drag_ == Drag::Box) select_box(ui, area);
+  if (drag_ == Drag::Lasso) select_lasso(ui, area);
   drag_ = Drag::None;
   ui.state.knife.is_dragging = false;
 }
@@ -202,8 +270,11 @@ void Viewport::hover(Ui& ui, const ViewArea& area, bool is_hovered) {
   if (is_hovered) ui.state.hovered_literal = -1;
   const Scene scene = build_scene(ui, area);
   if (is_hovered && ui.session.document().is_ready()) {
-    label = ids(ui, area).at(static_cast<int>(io.MousePos.x - area.x),
-                             static_cast<int>(io.MousePos.y - area.y));
+    // While a slow picture changes, what is under the mouse can wait, unless it is clicked.
+    if (!has_ids(scene) && is_rough_ && !ImGui::IsMouseClicked(0)) return;
+    label =
+        ids(scene, area)
+            .at(static_cast<int>(io.MousePos.x - area.x), static_cast<int>(io.MousePos.y - area.y));
   }
   const bool groups = picks_groups(scene);
   ui.state.hovered = groups ? label : -1;
@@ -228,11 +299,22 @@ void Viewport::select_box(Ui& ui, const ViewArea& area) {
   const bool must_enclose = mouse.x > drag_start_[0];
   const Scene scene = build_scene(ui, area);
   if (picks_groups(scene)) {
-    const auto groups = groups_in(
-        ids(ui, area), x(std::min(mouse.x, drag_start_[0])), y(std::min(mouse.y, drag_start_[1])),
-        x(std::max(mouse.x, drag_start_[0])), y(std::max(mouse.y, drag_start_[1])), must_enclose);
+    const auto groups =
+        groups_in(ids(scene, area), x(std::min(mouse.x, drag_start_[0])),
+                  y(std::min(mouse.y, drag_start_[1])), x(std::max(mouse.x, drag_start_[0])),
+                  y(std::max(mouse.y, drag_start_[1])), must_enclose);
     select_groups(ui, groups, combination());
   }
+  ui.state.tool = Tool::Select;
+}
+
+void Viewport::select_lasso(Ui& ui, const ViewArea& area) {
+  const Scene scene = build_scene(ui, area);
+  if (picks_groups(scene) && lasso_.size() > 2) {
+    for (auto& p : lasso_) p = {p[0] - area.x, p[1] - area.y};
+    select_groups(ui, groups_around(ids(scene, area), lasso_), combination());
+  }
+  lasso_.clear();
   ui.state.tool = Tool::Select;
 }
 
@@ -253,6 +335,14 @@ void Viewport::draw_rubber_band(const Ui& ui) const {
     fill.w = 0.12F;
     list.AddRectFilled({drag_start_[0], drag_start_[1]}, mouse, ImGui::GetColorU32(fill));
     list.AddRect({drag_start_[0], drag_start_[1]}, mouse, accent, 0, 0, 1);
+  }
+  if (drag_ == Drag::Lasso) {
+    for (std::size_t i = 0; i + 1 < lasso_.size(); ++i) {
+      list.AddLine({lasso_[i][0], lasso_[i][1]}, {lasso_[i + 1][0], lasso_[i + 1][1]}, accent,
+                   1.5F * ui.scale);
+    }
+    list.AddLine({lasso_.back()[0], lasso_.back()[1]}, {lasso_[0][0], lasso_[0][1]},
+                 ImGui::GetColorU32(ui.theme.faint));
   }
   if (drag_ != Drag::Knife || !ui.state.knife.is_dragging) return;
   const ImVec2 from(ui.state.knife.from[0], ui.state.knife.from[1]);

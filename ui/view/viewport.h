@@ -1,8 +1,11 @@
 #pragma once
 /// The picture of the part and what the mouse does in it.
+#include <chrono>
 #include <memory>
+#include <set>
 
 #include "ui/studio_state.h"
+#include "ui/tools/knife_handles.h"
 #include "ui/view/look.h"
 #include "ui/view/scene.h"
 
@@ -16,9 +19,11 @@ class Viewport {
   void draw(Ui& ui, const ViewArea& area);
   /// Whether a drag that moves the camera is going on.
   bool is_moving() const { return drag_ == Drag::Orbit || drag_ == Drag::Pan; }
+  /// Whether the picture is rough for now: drawn again a moment later, it gets its details.
+  bool wants_detail() const { return is_rough_; }
 
  private:
-  enum class Drag { None, Pick, Box, Orbit, Pan, Knife };
+  enum class Drag { None, Pick, Box, Lasso, Orbit, Pan, Knife, Handle };
 
   void sync_meshes(Ui& ui);
   void sync_states(Ui& ui);
@@ -29,23 +34,33 @@ class Viewport {
   void hover(Ui& ui, const ViewArea& area, bool is_hovered);
   void click(Ui& ui);
   void select_box(Ui& ui, const ViewArea& area);
+  void select_lasso(Ui& ui, const ViewArea& area);
   void place_knife(Ui& ui, const ViewArea& area);
   void draw_rubber_band(const Ui& ui) const;
-  const IdImage& ids(const Ui& ui, const ViewArea& area);
+  void draw_picture(const Ui& ui, const ViewArea& area);
+  bool is_slow() const;
+  bool has_ids(const Scene& scene) const;
+  const IdImage& ids(const Scene& scene, const ViewArea& area);
 
   RenderEngine& engine_;
   std::shared_ptr<const DisplayMesh> input_;
   std::shared_ptr<const ResultView> result_;
   std::vector<LabelState> states_, literal_states_;
+  using Clock = std::chrono::steady_clock;
   Scene drawn_;
   bool must_draw_ = true;
   int drawn_samples_ = 0;
   float drawn_width_ = 0, drawn_height_ = 0;
-  std::uint64_t picture_ = 0;
-  double frame_cost_ms_ = 0;  ///< of the last picture with all samples
+  Clock::time_point changed_{};  ///< when the picture last changed
+  bool is_rough_ = false;
+  double detail_cost_ms_ = 0;  ///< of a picture with all samples and triangles
   IdImage ids_;
+  Scene ids_scene_;  ///< what `ids_` shows, without colours
   bool has_ids_ = false;
+  std::set<int> hidden_;  ///< groups, when `ids_` was made
   Drag drag_ = Drag::None;
+  KnifeHandle handle_ = KnifeHandle::None;
+  std::vector<std::array<float, 2>> lasso_;  ///< window pixels
   int drag_button_ = 0;
   std::array<float, 2> drag_start_{}, last_mouse_{};
 };

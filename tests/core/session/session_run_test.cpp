@@ -77,6 +77,97 @@ TEST_CASE("merging the halves of a cut gives one group again") {
   CHECK(session.document().prepared->segmentation.groups.size() == 8);
 }
 
+TEST_CASE("a cut through a merged group divides all that it is made of, side by side") {
+  OpenSession open;
+  Session& session = open.session;
+  const GroupRef right{Vec3(20, 0, 0), -1};
+  const GroupRef front{Vec3(0, -10, 0), -1};
+  REQUIRE(session.execute(MergeGroups{{right, front}}));
+  REQUIRE(session.document().prepared->segmentation.groups.size() == 6);
+  REQUIRE(session.execute(AddCut{{Vec3::UnitZ(), 1.0, {right}}}));
+  const PreparedMesh& prepared = *session.document().prepared;
+  CHECK(prepared.segmentation.groups.size() == 7);
+  const auto group_at = [&prepared](const Vec3& p) {
+    return find_groups(prepared, {{p, -1}}, "")->front();
+  };
+  CHECK(group_at(Vec3(20, 0, 3)) == group_at(Vec3(0, -10, 3)));
+  CHECK(group_at(Vec3(20, 0, -3)) == group_at(Vec3(0, -10, -3)));
+  CHECK(group_at(Vec3(20, 0, 3)) != group_at(Vec3(20, 0, -3)));
+  CHECK(group_at(Vec3(-20, 0, 3)) == group_at(Vec3(-20, 0, -3)));  // it was not selected
+  REQUIRE(session.execute(Undo{}));
+  CHECK(session.document().prepared->segmentation.groups.size() == 6);
+}
+
+TEST_CASE("a cut through everything leaves merged groups whole on each side") {
+  OpenSession open;
+  Session& session = open.session;
+  REQUIRE(session.execute(MergeGroups{{{Vec3(20, 0, 0), -1}, {Vec3(0, -10, 0), -1}}}));
+  REQUIRE(session.execute(AddCut{{Vec3::UnitZ(), 1.0, {}}}));
+  // Top, bottom; the merged pair, two more sides and the hole, twice.
+  CHECK(session.document().prepared->segmentation.groups.size() == 2 + 2 * 4);
+}
+
+TEST_CASE("edits in the background end as those at once do, in the order they were asked for") {
+  OpenSession at_once;
+  OpenSession later;
+  later.session.set_background_edits(true);
+  for (Session* session : {&at_once.session, &later.session}) {
+    REQUIRE(session->execute(AddCut{{Vec3::UnitZ(), 1.0, hole()}}));
+    REQUIRE(session->execute(AddPartition{{}, "top", Op::Difference, {{Vec3(3, 0, 3), -1}}}));
+    REQUIRE(session->execute(MoveCut{0, Vec3::UnitZ(), 2.0}));
+  }
+  CHECK(later.session.is_editing());
+  later.session.wait();
+  CHECK_FALSE(later.session.is_editing());
+  CHECK(later.session.log().substr(later.session.log().find("cut")) ==
+        at_once.session.log().substr(at_once.session.log().find("cut")));
+  CHECK(later.session.document().project.cuts[0].offset == 2);
+  CHECK(later.session.document().prepared->segmentation.groups.size() == 8);
+  CHECK(later.session.history().depth() == 3);
+}
+
+TEST_CASE("what fails in the background is said, and what waited for it goes on") {
+  OpenSession open;
+  Session& session = open.session;
+  session.set_background_edits(true);
+  REQUIRE(session.execute(AddCut{{Vec3::UnitZ(), 100.0, {}}}));
+  REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
+  session.wait();
+  REQUIRE(session.notices().size() == 1);
+  CHECK(session.notices()[0].text.find("none of the groups") != std::string::npos);
+  CHECK(session.document().project.root.children.size() == 1);
+  CHECK(session.history().depth() == 1);
+}
+
+TEST_CASE("another mesh takes the place of one that is being cut") {
+  OpenSession open;
+  Session& session = open.session;
+  session.set_background_edits(true);
+  REQUIRE(session.execute(AddCut{{Vec3::UnitZ(), 1.0, {}}}));
+  REQUIRE(session.execute(OpenFile{open.folder / "plate.off"}));
+  session.wait();
+  CHECK(session.document().project.cuts.empty());
+  CHECK(session.document().prepared->segmentation.groups.size() == 7);
+  CHECK_FALSE(session.history().can_undo());
+}
+
+TEST_CASE("the rough version of a fine mesh has few triangles and the same labels") {
+  Mesh plate = solids::plate_with_hole(Vec3(40, 20, 8), 3, 40000);
+  std::vector<int> labels(plate.triangles.size());
+  for (std::size_t t = 0; t < labels.size(); ++t) {
+    labels[t] = std::abs(plate.normals[t].z()) > 0.5 ? 0 : 1;
+  }
+  const DisplayMesh display = build_display_mesh(plate, labels);
+  REQUIRE(display.indices.size() > 3 * kManyTriangles);
+  CHECK(display.is_closed);
+  CHECK(display.coarse.size() <= 3 * kManyTriangles / 2);
+  CHECK(display.coarse.size() > 3 * 100);
+  for (std::size_t i = 0; i < display.coarse.size(); i += 3) {
+    const auto label = [&](std::size_t k) { return display.corners[display.coarse[i + k]].label; };
+    CHECK((label(0) == label(1) && label(1) == label(2)));
+  }
+}
+
 TEST_CASE("moving a partition below another keeps its groups") {
   OpenSession open;
   Session& session = open.session;
@@ -222,7 +313,7 @@ TEST_CASE("the colours' mesh has the groups' labels and lines between them only"
   const auto display = open.session.display();
   REQUIRE(display);
   CHECK(display->labels == 7);
-  CHECK(display->corners.size() == 3 * open.session.document().prepared->mesh->triangles.size());
+  CHECK(display->indices.size() == 3 * open.session.document().prepared->mesh->triangles.size());
   CHECK(display->lines.size() % 2 == 0);
   // 12 edges of the plate, of which rims of the hole have 32 lines each.
   CHECK(display->lines.size() / 2 >= 12 + 64);
