@@ -179,7 +179,12 @@ std::string Studio::status_line() const {
                         {"hovered_result", state_.hovered_result},
                         {"active_field", state_.active_field},
                         {"is_rough", viewport_.wants_detail()}};
-  if (document.is_ready()) out["groups"] = document.prepared->segmentation.groups.size();
+  if (document.is_ready()) {
+    const auto& groups = document.prepared->segmentation.groups;
+    const auto hovered = static_cast<std::size_t>(state_.hovered);
+    out["groups"] = groups.size();
+    out["hovered_text"] = hovered < groups.size() ? describe_group(groups[hovered]) : "";
+  }
   if (shown) {
     const Tree& tree = shown->found.tree;
     out["literals"] = literal_count(tree);

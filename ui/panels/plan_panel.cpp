@@ -246,7 +246,7 @@ void draw_cut(Ui& ui, int index) {
   ImGui::SameLine();
   double offset = axis >= 0 ? cut.offset * cut.normal[axis] : cut.offset;
   const double shown = offset;
-  ImGui::SetNextItemWidth(-ui.px(68));
+  ImGui::SetNextItemWidth(-ui.px(76));
   const bool is_done =
       ImGui::InputDouble("##offset", &offset, 0, 0, "%.6g", ImGuiInputTextFlags_EnterReturnsTrue);
   if (is_done && offset != shown) {

@@ -192,6 +192,7 @@ void draw_pareto(Ui& ui) {
   const auto shown = ui.session.shown_result();
   ImGui::InvisibleButton("pareto", {width, height});
   const bool is_over = ImGui::IsItemHovered();
+  const bool is_clicked = ImGui::IsItemClicked();  // the texts below are items, too
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   std::shared_ptr<const FoundResult> nearest;
   float best = ui.px(14);
@@ -228,7 +229,7 @@ void draw_pareto(Ui& ui) {
       nearest->found.score.proximity, nearest->found.score.iou,
       short_number(nearest->found.score.mean_distance * nearest->found.prepared.mesh->diagonal())
           .c_str());
-  if (ImGui::IsItemClicked() && nearest != ui.session.current_result()) {
+  if (is_clicked && nearest != ui.session.current_result()) {
     static_cast<void>(ui.session.execute(SetPlan{nearest->plan}));
   }
 }
