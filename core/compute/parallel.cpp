@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include <tbb/blocked_range.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+
+#include "core/compute/arena.h"
 
 namespace hewn {
 
@@ -22,13 +22,7 @@ void for_each_chunk(int threads, std::size_t n, std::size_t grain,
         range, [&](const tbb::blocked_range<std::size_t>& part) { body(part.begin(), part.end()); },
         tbb::simple_partitioner());
   };
-  if (threads <= 0) {
-    run();
-  } else {
-    // More workers than cores only make the library print a warning.
-    tbb::task_arena arena(std::min(threads, tbb::info::default_concurrency()));
-    arena.execute(run);
-  }
+  in_arena(threads, run);
 }
 
 }  // namespace hewn

@@ -59,10 +59,11 @@ std::optional<FoundList> ListSearch::construct(const Progress& progress) {
     o.noise = i < 2 ? 0.15 : 0.4;
     std::optional<DecisionList> list = construct_list(space, o, grower, rng, run_);
     if (list) {
-      improve_list(space, walk_options(*list, kFirstShare), *list, grower, rng, run_);
+      grown[i] =
+          improve_list(space, walk_options(*list, kFirstShare), *list, rng, run_).terms_grown;
       found[i] = FoundList{std::move(*list), clip};
     }
-    grown[i] = grower.terms_grown();
+    grown[i] += grower.terms_grown();
     progress(0.8 * ++ended / static_cast<double>(starts));
   });
   for (const long g : grown) terms_grown_ += g;
@@ -89,9 +90,7 @@ void ListSearch::refine(int task, int share, std::vector<FoundList>& lists) {
     FoundList& f = lists[i];
     const SearchSpace& space = spaces_[f.clip ? 1 : 0];
     Rng rng(run_.seed, stream_ + static_cast<std::uint64_t>(task) + i);
-    TermGrower grower(*space.columns, *space.combinability);
-    improve_list(space, walk_options(f.list, share), f.list, grower, rng, run_);
-    grown[i] = grower.terms_grown();
+    grown[i] = improve_list(space, walk_options(f.list, share), f.list, rng, run_).terms_grown;
   });
   for (const long g : grown) terms_grown_ += g;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/compute/speculate.h"
 #include "core/synth/decompose/grow.h"
 
 namespace hewn {
@@ -19,14 +20,27 @@ struct Window {
   std::size_t begin = 0, end = 0;
 };
 
-/// One walk through the neighbourhood of a list.
-class Walk {
+/// Tries single steps through the neighbourhood of a list. Holds scratch memory: one per thread.
+class Stepper {
  public:
-  Walk(const SearchSpace& space, const NeighbourhoodOptions& options, TermGrower& grower, Rng& rng)
-      : space_(space), options_(options), grower_(grower), rng_(rng) {}
+  Stepper(const SearchSpace& space, const NeighbourhoodOptions& options)
+      : space_(space), options_(options), grower_(*space.columns, *space.combinability) {}
 
-  /// Tries one window of `list`; true when it was replaced by something no worse.
-  bool step(DecisionList& list) {
+  /// Tries one window of `list`; true when something no worse can take its place: `result()`.
+  bool try_step(const DecisionList& list, Rng rng) {
+    rng_ = rng;
+    const long grown_before = grower_.terms_grown();
+    const bool is_found = find_step(list);
+    terms_grown_ = grower_.terms_grown() - grown_before;
+    return is_found;
+  }
+
+  DecisionList& result() { return result_; }
+  /// By the last step.
+  long terms_grown() const { return terms_grown_; }
+
+ private:
+  bool find_step(const DecisionList& list) {
     std::vector<TermPtr> items = list.items;
     commute(items, list.base);
     Window window = random_window(items.size());
@@ -38,13 +52,10 @@ class Walk {
     result.insert(result.end(), items.begin() + static_cast<long>(window.end), items.end());
     if (!is_right(space_, result, list.base)) return false;
     drop_redundant_items(space_, result, list.base);
-    DecisionList candidate{std::move(result), list.base};
-    if (candidate.cost() > list.cost()) return false;
-    list = std::move(candidate);
-    return true;
+    result_ = {std::move(result), list.base};
+    return result_.cost() <= list.cost();
   }
 
- private:
   /// Moves an item as long as the list stays right.
   bool try_move(std::vector<TermPtr>& items, bool base, std::size_t from, std::size_t to) {
     std::vector<TermPtr> moved = items;
@@ -169,26 +180,39 @@ class Walk {
 
   const SearchSpace& space_;
   const NeighbourhoodOptions& options_;
-  TermGrower& grower_;
-  Rng& rng_;
+  TermGrower grower_;
+  Rng rng_{0};
   std::vector<Word> open_, required_;
   std::vector<std::size_t> cells_;
+  DecisionList result_;
+  long terms_grown_ = 0;
 };
 
 }  // namespace
 
-int improve_list(const SearchSpace& space, const NeighbourhoodOptions& options, DecisionList& list,
-                 TermGrower& grower, Rng& rng, const RunContext& run) {
-  Walk walk(space, options, grower, rng);
+WalkReport improve_list(const SearchSpace& space, const NeighbourhoodOptions& options,
+                        DecisionList& list, Rng& rng, const RunContext& run) {
+  std::vector<Stepper> steppers(speculation_width(run.threads), Stepper(space, options));
+  const std::uint64_t seed = rng.next();
+  WalkReport report;
   int stall = 0;
-  int step = 0;
-  for (; step < options.steps && stall < options.stall_steps && list.items.size() > 0; ++step) {
+  while (report.steps < options.steps && stall < options.stall_steps && !list.items.empty()) {
     if (run.should_stop()) break;
-    const int before = list.cost();
-    walk.step(list);
-    stall = list.cost() < before ? 0 : stall + 1;
+    const int left = std::min(options.steps - report.steps, options.stall_steps - stall);
+    const std::size_t width = std::min(steppers.size(), static_cast<std::size_t>(left));
+    const std::size_t hit = first_success(run.threads, width, [&](std::size_t k) {
+      const auto step = static_cast<std::uint64_t>(report.steps) + k;
+      return steppers[k].try_step(list, Rng(seed, step));
+    });
+    const std::size_t tried = std::min(hit + 1, width);
+    for (std::size_t k = 0; k < tried; ++k) report.terms_grown += steppers[k].terms_grown();
+    report.steps += static_cast<int>(tried);
+    stall += static_cast<int>(tried);
+    if (hit == width) continue;
+    if (steppers[hit].result().cost() < list.cost()) stall = 0;
+    list = std::move(steppers[hit].result());
   }
-  return step;
+  return report;
 }
 
 bool repair_list(const SearchSpace& space, DecisionList& list, TermGrower& grower, Rng& rng,

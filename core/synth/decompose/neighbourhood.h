@@ -15,9 +15,15 @@ struct NeighbourhoodOptions {
   int regrow_tries = 10;  ///< terms grown per gap in a window
 };
 
-/// Improves a right list in place; it stays right. Returns the steps done.
-int improve_list(const SearchSpace& space, const NeighbourhoodOptions& options, DecisionList& list,
-                 TermGrower& grower, Rng& rng, const RunContext& run);
+struct WalkReport {
+  int steps = 0;
+  long terms_grown = 0;
+};
+
+/// Improves a right list in place; it stays right. Threads that have nothing to do try the next
+/// windows ahead; the result is the same without them.
+WalkReport improve_list(const SearchSpace& space, const NeighbourhoodOptions& options,
+                        DecisionList& list, Rng& rng, const RunContext& run);
 
 /// Mends a list that has become wrong (new cells) by putting terms in front.
 /// False when a wrong cell cannot be covered, and when the run is cancelled.

@@ -53,13 +53,41 @@ TEST_CASE("improving keeps a list right and never makes it dearer") {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     DecisionList list = f.construct(seed);
     const int before = list.cost();
-    TermGrower grower(f.columns, f.combinability);
     Rng rng(seed);
     NeighbourhoodOptions options;
     options.steps = 100;
-    improve_list(f.space, options, list, grower, rng, f.part.run);
+    improve_list(f.space, options, list, rng, f.part.run);
     CHECK(is_right(f.space, list.items, list.base));
     CHECK(list.cost() <= before);
+  }
+}
+
+TEST_CASE("improving finds the same list for any number of threads") {
+  ListFixture f(solids::block_with_fillet({6, 5, 4}, 1.5, 12));
+  const DecisionList start = f.construct(1);
+  NeighbourhoodOptions options;
+  options.steps = 60;
+  const auto improved = [&](int threads, WalkReport& report) {
+    DecisionList list = start;
+    Rng rng(7);
+    RunContext run = f.part.run;
+    run.threads = threads;
+    report = improve_list(f.space, options, list, rng, run);
+    return list;
+  };
+  WalkReport alone;
+  const DecisionList expected = improved(1, alone);
+  CHECK(alone.steps > 0);
+  for (const int threads : {0, 2, 8}) {
+    WalkReport report;
+    const DecisionList list = improved(threads, report);
+    CHECK(report.steps == alone.steps);
+    CHECK(report.terms_grown == alone.terms_grown);
+    REQUIRE(list.items.size() == expected.items.size());
+    for (std::size_t k = 0; k < list.items.size(); ++k) {
+      CHECK(list.items[k]->literals == expected.items[k]->literals);
+      CHECK(list.items[k]->fills == expected.items[k]->fills);
+    }
   }
 }
 

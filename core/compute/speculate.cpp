@@ -1,0 +1,44 @@
+#include "core/compute/speculate.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include <tbb/parallel_for.h>
+
+#include "core/compute/arena.h"
+
+namespace hewn {
+namespace {
+
+/// More are seldom all in vain, and seldom of use.
+constexpr std::size_t kWidest = 8;
+
+}  // namespace
+
+std::size_t speculation_width(int threads) {
+  const auto cores = static_cast<std::size_t>(tbb::info::default_concurrency());
+  const std::size_t wanted = threads <= 0 ? cores : static_cast<std::size_t>(threads);
+  return std::clamp<std::size_t>(std::min(wanted, cores), 1, kWidest);
+}
+
+std::size_t first_success(int threads, std::size_t n,
+                          const std::function<bool(std::size_t)>& attempt) {
+  if (threads == 1 || n < 2) {
+    std::size_t i = 0;
+    while (i < n && !attempt(i)) ++i;
+    return i;
+  }
+  std::atomic<std::size_t> first{n};
+  const auto make = [&](std::size_t i) {
+    if (first.load() < i || !attempt(i)) return;
+    std::size_t known = first.load();
+    while (i < known && !first.compare_exchange_weak(known, i)) {
+    }
+  };
+  const auto all = [&] { tbb::parallel_for(std::size_t{0}, n, make, tbb::simple_partitioner()); };
+  // Isolated: who waits for the rest must not begin with something long in the meantime.
+  in_arena(threads, [&all] { tbb::this_task_arena::isolate(all); });
+  return first.load();
+}
+
+}  // namespace hewn
