@@ -32,7 +32,18 @@ void count_common(const Word* a, const Word* b, std::span<const Word* const> col
     out[k] = {count_and(a, columns[k], words), count_and(b, columns[k], words)};
   }
 }
-constexpr BitKernels kKernels{BitPath::Portable, count, count_and, count_xor, count_common};
+void count_common_in(const Word* a, const Word* b, std::span<const Word* const> columns,
+                     std::span<const std::uint32_t> blocks, std::span<CommonCounts> out) {
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    out[k] = {};
+    for (const std::uint32_t i : blocks) {
+      out[k].a += count_and(a + i, columns[k] + i, kWordBlock);
+      out[k].b += count_and(b + i, columns[k] + i, kWordBlock);
+    }
+  }
+}
+constexpr BitKernels kKernels{BitPath::Portable, count,        count_and,
+                              count_xor,         count_common, count_common_in};
 }  // namespace portable
 
 #ifdef HEWN_X86
@@ -82,22 +93,45 @@ HEWN_TARGET int count_xor(const Word* a, const Word* b, std::size_t words) {
   return sum(total);
 }
 
+struct CommonLanes {
+  __m256i a, b;
+};
+
+HEWN_TARGET inline CommonLanes no_common() {
+  return {_mm256_setzero_si256(), _mm256_setzero_si256()};
+}
+
+HEWN_TARGET inline void add_common(const Word* a, const Word* b, const Word* column,
+                                   CommonLanes& total) {
+  const __m256i c = load(column);
+  total.a = _mm256_add_epi64(total.a, count_lanes(_mm256_and_si256(load(a), c)));
+  total.b = _mm256_add_epi64(total.b, count_lanes(_mm256_and_si256(load(b), c)));
+}
+
 HEWN_TARGET void count_common(const Word* a, const Word* b, std::span<const Word* const> columns,
                               std::size_t words, std::span<CommonCounts> out) {
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    const Word* column = columns[k];
-    __m256i with_a = _mm256_setzero_si256();
-    __m256i with_b = _mm256_setzero_si256();
-    for (std::size_t i = 0; i < words; i += 4) {
-      const __m256i c = load(column + i);
-      with_a = _mm256_add_epi64(with_a, count_lanes(_mm256_and_si256(load(a + i), c)));
-      with_b = _mm256_add_epi64(with_b, count_lanes(_mm256_and_si256(load(b + i), c)));
+    CommonLanes total = no_common();
+    for (std::size_t i = 0; i < words; i += 4) add_common(a + i, b + i, columns[k] + i, total);
+    out[k] = {sum(total.a), sum(total.b)};
+  }
+}
+
+HEWN_TARGET void count_common_in(const Word* a, const Word* b, std::span<const Word* const> columns,
+                                 std::span<const std::uint32_t> blocks,
+                                 std::span<CommonCounts> out) {
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    CommonLanes total = no_common();
+    for (const std::uint32_t i : blocks) {
+      add_common(a + i, b + i, columns[k] + i, total);
+      add_common(a + i + 4, b + i + 4, columns[k] + i + 4, total);
     }
-    out[k] = {sum(with_a), sum(with_b)};
+    out[k] = {sum(total.a), sum(total.b)};
   }
 }
 #undef HEWN_TARGET
-constexpr BitKernels kKernels{BitPath::Avx2, count, count_and, count_xor, count_common};
+constexpr BitKernels kKernels{BitPath::Avx2, count,        count_and,
+                              count_xor,     count_common, count_common_in};
 }  // namespace avx2
 
 namespace avx512 {
@@ -139,22 +173,42 @@ HEWN_TARGET int count_xor(const Word* a, const Word* b, std::size_t words) {
   return sum(total);
 }
 
+struct CommonLanes {
+  __m512i a, b;
+};
+
+HEWN_TARGET inline CommonLanes no_common() {
+  return {_mm512_setzero_si512(), _mm512_setzero_si512()};
+}
+
+HEWN_TARGET inline void add_common(const Word* a, const Word* b, const Word* column,
+                                   CommonLanes& total) {
+  const __m512i c = load(column);
+  total.a = _mm512_add_epi64(total.a, _mm512_popcnt_epi64(_mm512_and_si512(load(a), c)));
+  total.b = _mm512_add_epi64(total.b, _mm512_popcnt_epi64(_mm512_and_si512(load(b), c)));
+}
+
 HEWN_TARGET void count_common(const Word* a, const Word* b, std::span<const Word* const> columns,
                               std::size_t words, std::span<CommonCounts> out) {
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    const Word* column = columns[k];
-    __m512i with_a = _mm512_setzero_si512();
-    __m512i with_b = _mm512_setzero_si512();
-    for (std::size_t i = 0; i < words; i += 8) {
-      const __m512i c = load(column + i);
-      with_a = _mm512_add_epi64(with_a, _mm512_popcnt_epi64(_mm512_and_si512(load(a + i), c)));
-      with_b = _mm512_add_epi64(with_b, _mm512_popcnt_epi64(_mm512_and_si512(load(b + i), c)));
-    }
-    out[k] = {sum(with_a), sum(with_b)};
+    CommonLanes total = no_common();
+    for (std::size_t i = 0; i < words; i += 8) add_common(a + i, b + i, columns[k] + i, total);
+    out[k] = {sum(total.a), sum(total.b)};
+  }
+}
+
+HEWN_TARGET void count_common_in(const Word* a, const Word* b, std::span<const Word* const> columns,
+                                 std::span<const std::uint32_t> blocks,
+                                 std::span<CommonCounts> out) {
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    CommonLanes total = no_common();
+    for (const std::uint32_t i : blocks) add_common(a + i, b + i, columns[k] + i, total);
+    out[k] = {sum(total.a), sum(total.b)};
   }
 }
 #undef HEWN_TARGET
-constexpr BitKernels kKernels{BitPath::Avx512, count, count_and, count_xor, count_common};
+constexpr BitKernels kKernels{BitPath::Avx512, count,        count_and,
+                              count_xor,       count_common, count_common_in};
 }  // namespace avx512
 #endif
 

@@ -38,6 +38,10 @@ struct BitKernels {
   /// Requires: `out.size() == columns.size()`. Cost: O(columns x words).
   void (*count_common)(const Word* a, const Word* b, std::span<const Word* const> columns,
                        std::size_t words, std::span<CommonCounts> out);
+  /// The same of some blocks of the columns only: `blocks` are the indices of their first words.
+  /// Requires: `out.size() == columns.size()`. Cost: O(columns x blocks).
+  void (*count_common_in)(const Word* a, const Word* b, std::span<const Word* const> columns,
+                          std::span<const std::uint32_t> blocks, std::span<CommonCounts> out);
 };
 
 /// The fastest path that this processor has.

@@ -16,6 +16,36 @@ bool is_clear(int inside, int outside, std::size_t cells) {
   return total >= 2 || cells <= kLargeTable;
 }
 
+/// Two zero bits after each of the lowest 21.
+std::uint64_t spread_bits(std::uint64_t x) {
+  x = (x | x << 32) & 0x001f00000000ffffull;
+  x = (x | x << 16) & 0x001f0000ff0000ffull;
+  x = (x | x << 8) & 0x100f00f00f00f00full;
+  x = (x | x << 4) & 0x10c30c30c30c30c3ull;
+  return (x | x << 2) & 0x1249249249249249ull;
+}
+
+/// Sorts cells along a Z-curve through their first points (Morton 1966). What a term covers then
+/// lies in few blocks of a column.
+void sort_along_curve(const SampleTable& table, const Cells& cells, std::vector<int>& kept) {
+  const auto point_of = [&](int c) -> const Vec3& {
+    return table.points[static_cast<std::size_t>(cells.first_point[c])];
+  };
+  Box3 box;
+  for (const int c : kept) box.extend(point_of(c));
+  const double scale = 2097151 / std::max(box.size().maxCoeff(), 1e-300);
+  std::vector<std::pair<std::uint64_t, int>> order;
+  order.reserve(kept.size());
+  for (const int c : kept) {
+    const Vec3 p = (point_of(c) - box.lo) * scale;
+    std::uint64_t code = 0;
+    for (int k = 0; k < 3; ++k) code |= spread_bits(static_cast<std::uint64_t>(p[k])) << k;
+    order.emplace_back(code, c);
+  }
+  std::sort(order.begin(), order.end());
+  for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = order[i].second;
+}
+
 }  // namespace
 
 long Cells::conflicting_points() const {
@@ -58,10 +88,10 @@ ColumnTable::ColumnTable(const SampleTable& table, const Cells& cells, Labels la
     const int outside = cells.outside_count[c];
     const bool is_kept = labels == Labels::Exact ? std::min(inside, outside) == 0
                                                  : is_clear(inside, outside, cells.size());
-    if (!is_kept) continue;
-    kept_index_[c] = static_cast<int>(kept.size());
-    kept.push_back(static_cast<int>(c));
+    if (is_kept) kept.push_back(static_cast<int>(c));
   }
+  sort_along_curve(table, cells, kept);
+  for (std::size_t i = 0; i < kept.size(); ++i) kept_index_[kept[i]] = static_cast<int>(i);
   cells_ = kept.size();
   words_ = padded_words(cells_);
   columns_.assign(2 * halfspaces_ * words_, 0);

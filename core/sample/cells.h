@@ -22,7 +22,8 @@ struct Cells {
 /// Cost: O(points x stride).
 Cells find_cells(const SampleTable& table);
 
-/// One bit per kept cell. All columns have `words` words, zero beyond the last cell.
+/// One bit per kept cell, in an order that keeps neighbours together. All columns have `words`
+/// words, zero beyond the last cell.
 class ColumnTable {
  public:
   enum class Labels { Noisy, Exact };

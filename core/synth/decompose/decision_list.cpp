@@ -50,10 +50,32 @@ bool is_right(const SearchSpace& space, std::span<const TermPtr> items, bool bas
 }
 
 void drop_redundant_items(const SearchSpace& space, std::vector<TermPtr>& items, bool base) {
+  const std::size_t words = space.words();
+  const std::vector<Word>& wanted = space.columns->wanted();
+  // By item: the cells that it decides, being the first to cover them.
+  std::vector<Word> decided(items.size() * words);
+  std::vector<Word> open = space.care;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    for (std::size_t i = 0; i < words; ++i) {
+      decided[k * words + i] = open[i] & items[k]->cover[i];
+      open[i] &= ~items[k]->cover[i];
+    }
+  }
+  // From the back: what remains of the list behind an item is what would decide in its place.
+  std::vector<Word> behind(words, base ? ~Word{0} : Word{0});
   for (std::size_t k = items.size(); k-- > 0;) {
-    const TermPtr removed = items[k];
-    items.erase(items.begin() + static_cast<long>(k));
-    if (!is_right(space, items, base)) items.insert(items.begin() + static_cast<long>(k), removed);
+    const Word* own = decided.data() + k * words;
+    Word wrong = 0;
+    for (std::size_t i = 0; i < words; ++i) wrong |= (behind[i] ^ wanted[i]) & own[i];
+    if (wrong == 0) {
+      items.erase(items.begin() + static_cast<long>(k));
+      continue;
+    }
+    const Word fill = items[k]->fills ? ~Word{0} : Word{0};
+    for (std::size_t i = 0; i < words; ++i) {
+      const Word cover = items[k]->cover[i];
+      behind[i] = (behind[i] & ~cover) | (fill & cover);
+    }
   }
 }
 

@@ -31,6 +31,11 @@ void TermGrower::start(const GrowRequest& request) {
     same_[i] = (*request.open)[i] & fits;
     if (request.required != nullptr) same_[i] &= (*request.required)[i];
   }
+  blocks_.clear();
+  for (std::size_t i = 0; i < others_.size(); i += kWordBlock) {
+    blocks_.push_back(static_cast<std::uint32_t>(i));
+  }
+  keep_common(columns_->all().data());
   others_at_start_ = others_;
   literals_.clear();
   prism_ = -1;
@@ -44,13 +49,24 @@ void TermGrower::start(const GrowRequest& request) {
   }
 }
 
+/// Cells are in spatial order: most blocks soon hold none that is left, and are forgotten.
+void TermGrower::keep_common(const Word* column) {
+  std::size_t kept = 0;
+  for (const std::uint32_t block : blocks_) {
+    Word any = 0;
+    for (std::size_t i = block; i < block + kWordBlock; ++i) {
+      others_[i] &= column[i];
+      same_[i] &= column[i];
+      any |= others_[i] | same_[i];
+    }
+    if (any != 0) blocks_[kept++] = block;
+  }
+  blocks_.resize(kept);
+}
+
 void TermGrower::take(int halfspace, bool inside) {
   literals_.push_back({halfspace, inside});
-  const Word* column = columns_->column(static_cast<std::size_t>(halfspace), inside);
-  for (std::size_t i = 0; i < others_.size(); ++i) {
-    others_[i] &= column[i];
-    same_[i] &= column[i];
-  }
+  keep_common(columns_->column(static_cast<std::size_t>(halfspace), inside));
   const bool is_plane = combinability_->is_plane(halfspace);
   has_planes_ = has_planes_ || is_plane;
   std::erase_if(candidates_, [=](const Candidate& c) { return c.halfspace == halfspace; });
@@ -115,8 +131,7 @@ void TermGrower::count_candidates(int others) {
     candidate_columns_.push_back(columns_->column(static_cast<std::size_t>(c.halfspace), c.inside));
   }
   counts_.resize(candidates_.size());
-  bit_kernels().count_common(others_.data(), same_.data(), candidate_columns_, columns_->words(),
-                             counts_);
+  bit_kernels().count_common_in(others_.data(), same_.data(), candidate_columns_, blocks_, counts_);
   std::size_t kept = 0;
   for (std::size_t k = 0; k < candidates_.size(); ++k) {
     if (counts_[k].a == others) continue;

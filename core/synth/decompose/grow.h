@@ -1,5 +1,6 @@
 #pragma once
 /// Growing one pure term from a seed cell, literal by literal.
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -52,6 +53,7 @@ class TermGrower {
   void start(const GrowRequest& request);
   bool take_curved(const GrowRequest& request, Rng& rng);
   void take(int halfspace, bool inside);
+  void keep_common(const Word* column);
   void take_prism(int prism);
   bool may_hold_seed(const RegularPrism& prism) const;
   bool is_prism_side(const TermLiteral& literal) const;
@@ -65,6 +67,7 @@ class TermGrower {
   const Combinability* combinability_;
   std::vector<double> log_;
   std::vector<Word> others_, others_at_start_, same_, rest_;
+  std::vector<std::uint32_t> blocks_;  ///< where `others_` or `same_` have bits left
   std::vector<TermLiteral> literals_;
   int prism_ = -1;  ///< taken as a whole, if any
   bool has_planes_ = false;

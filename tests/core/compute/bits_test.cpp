@@ -43,6 +43,18 @@ TEST_CASE("every instruction set counts the same bits") {
       CHECK(counts[0].a == with_a);
       CHECK(counts[0].b == with_b);
       CHECK(counts[1].b == both);
+      std::vector<std::uint32_t> blocks;
+      for (std::size_t i = 0; i < words; i += kWordBlock) {
+        blocks.push_back(static_cast<std::uint32_t>(i));
+      }
+      std::vector<CommonCounts> in_blocks(2);
+      kernels->count_common_in(a.data(), b.data(), columns, blocks, in_blocks);
+      CHECK(in_blocks[0].a == with_a);
+      CHECK(in_blocks[1].b == both);
+      blocks.erase(blocks.begin());
+      kernels->count_common_in(a.data(), b.data(), columns, blocks, in_blocks);
+      CHECK(in_blocks[0].a ==
+            with_a - kernels->count_and(a.data(), c.data(), std::min(words, kWordBlock)));
     }
   }
 }

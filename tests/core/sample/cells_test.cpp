@@ -8,6 +8,19 @@
 namespace hewn {
 namespace {
 
+/// A square field of unit boxes with gaps as wide as they are.
+Mesh field_of_boxes(int side) {
+  Mesh field;
+  for (int x = 0; x < side; ++x) {
+    for (int y = 0; y < side; ++y) {
+      const Vec3 lo(2 * x, 2 * y, 0);
+      const Mesh box = solids::box(lo, lo + Vec3::Ones());
+      field = field.triangles.empty() ? box : solids::together(field, box);
+    }
+  }
+  return field;
+}
+
 TEST_CASE("points share a cell exactly when their signatures are equal") {
   const solids::PartProblem part(solids::plate_with_hole({10, 8, 2}, 2, 24));
   const auto table =
@@ -52,6 +65,22 @@ TEST_CASE("the columns of the two sides of a halfspace split all kept cells") {
     CHECK(test_bit(columns.wanted().data(), static_cast<std::size_t>(kept)) ==
           (cells.inside_count[c] > cells.outside_count[c]));
   }
+}
+
+TEST_CASE("neighbours share blocks: half of space leaves whole blocks of a column empty") {
+  const solids::PartProblem part(field_of_boxes(7));
+  const auto table =
+      build_sample_table(part.space, 20000, part.surfaces.halfspace_of_group, part.run);
+  REQUIRE(table.has_value());
+  const ColumnTable columns(*table, find_cells(*table));
+  REQUIRE(columns.cells() > 600);
+  std::size_t empty = 0;
+  for (std::size_t k = 0; k < columns.halfspaces(); ++k) {
+    for (std::size_t i = 0; i < columns.words(); ++i) {
+      empty += columns.column(k, true)[i] == 0 || columns.column(k, false)[i] == 0 ? 1 : 0;
+    }
+  }
+  CHECK(empty > columns.halfspaces() * columns.words() / 3);
 }
 
 }  // namespace
