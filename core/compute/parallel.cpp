@@ -25,4 +25,9 @@ void for_each_chunk(int threads, std::size_t n, std::size_t grain,
   in_arena(threads, run);
 }
 
+int worker_count(int threads) {
+  const int cores = std::max(1, tbb::info::default_concurrency());
+  return threads <= 0 ? cores : std::min(threads, cores);
+}
+
 }  // namespace hewn

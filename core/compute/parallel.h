@@ -1,6 +1,8 @@
 #pragma once
 /// Data-parallel loops on oneTBB. Results never depend on the number of threads as long as each
 /// index writes only its own outputs.
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <functional>
 
@@ -17,6 +19,23 @@ template <class Kernel>
 void for_each_index(int threads, std::size_t n, const Kernel& kernel, std::size_t grain = 1) {
   for_each_chunk(threads, n, grain, [&kernel](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) kernel(i);
+  });
+}
+
+/// How many threads `threads` (0: one per core) stands for; at least 1.
+int worker_count(int threads);
+
+/// Calls `body(worker, i)` for every i in [0, n) in about ascending order, for bodies with scratch
+/// memory of their own: no two calls with the same worker, 0 to `workers` - 1, run at a time.
+template <class Body>
+void for_each_with_worker(int threads, std::size_t workers, std::size_t n, const Body& body) {
+  if (workers <= 1 || n <= 1) {
+    for (std::size_t i = 0; i < n; ++i) body(std::size_t{0}, i);
+    return;
+  }
+  std::atomic<std::size_t> next{0};
+  for_each_index(threads, std::min(workers, n), [&](std::size_t worker) {
+    for (std::size_t i = next++; i < n; i = next++) body(worker, i);
   });
 }
 

@@ -37,4 +37,9 @@ void for_each_chunk(int threads, std::size_t n, std::size_t grain,
   if (failure) std::rethrow_exception(failure);
 }
 
+int worker_count(int threads) {
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return threads <= 0 ? cores : std::min(threads, cores);
+}
+
 }  // namespace hewn

@@ -18,8 +18,9 @@ AxisCoordinates about_axis(const Surface& s, const Vec3& x) {
   return {height, outward.norm(), outward};
 }
 
-Vec3 unit_or(const Vec3& v, double length, const Vec3& fallback) {
-  return length > 0 ? Vec3(v / length) : fallback;
+template <class Fallback>
+Vec3 unit_or(const Vec3& v, double length, const Fallback& fallback) {
+  return length > 0 ? Vec3(v / length) : fallback();
 }
 
 }  // namespace
@@ -41,17 +42,20 @@ SurfaceForm Surface::form() const {
   return f;
 }
 
-Vec3 Surface::gradient(const Vec3& x) const {
-  if (kind == SurfaceKind::Plane) return axis;
-  if (kind == SurfaceKind::Sphere) return unit_or(x - point, (x - point).norm(), Vec3::UnitZ());
-  const AxisCoordinates c = about_axis(*this, x);
-  const Vec3 outward = unit_or(c.outward, c.radial, tangents(axis).u);
-  if (kind == SurfaceKind::Cylinder) return outward;
-  if (kind == SurfaceKind::Cone) {
-    return outward * std::cos(half_angle_rad) - axis * std::sin(half_angle_rad);
+Vec3 Surface::gradient(const Vec3& x) const { return SurfaceField(*this).gradient(x); }
+
+Vec3 SurfaceField::gradient(const Vec3& x) const {
+  const Surface& s = surface_;
+  if (s.kind == SurfaceKind::Plane) return s.axis;
+  if (s.kind == SurfaceKind::Sphere) {
+    return unit_or(x - s.point, (x - s.point).norm(), [] { return Vec3(Vec3::UnitZ()); });
   }
-  const Vec3 from_tube = outward * (c.radial - major_radius) + axis * c.height;
-  return unit_or(from_tube, from_tube.norm(), axis);
+  const AxisCoordinates c = about_axis(s, x);
+  const Vec3 outward = unit_or(c.outward, c.radial, [&] { return tangents(s.axis).u; });
+  if (s.kind == SurfaceKind::Cylinder) return outward;
+  if (s.kind == SurfaceKind::Cone) return outward * form_.first - s.axis * form_.second;
+  const Vec3 from_tube = outward * (c.radial - s.major_radius) + s.axis * c.height;
+  return unit_or(from_tube, from_tube.norm(), [&] { return s.axis; });
 }
 
 const char* name_of(SurfaceKind kind) {

@@ -23,6 +23,26 @@ struct Surface {
   Vec3 gradient(const Vec3& x) const;
 };
 
+/// A surface made ready for many evaluations, with the same bits: a cone's cosine is taken once.
+class SurfaceField {
+ public:
+  explicit SurfaceField(const Surface& surface) : surface_(surface), form_(surface.form()) {}
+
+  double signed_distance(const Vec3& x) const {
+    return hewn::signed_distance(form_, x.x(), x.y(), x.z());
+  }
+  /// For a kind that is known. Requires: it is the surface's.
+  template <SurfaceKind kKind>
+  double signed_distance(const Vec3& x) const {
+    return hewn::signed_distance<kKind>(form_, x.x(), x.y(), x.z());
+  }
+  Vec3 gradient(const Vec3& x) const;
+
+ private:
+  Surface surface_;
+  SurfaceForm form_;
+};
+
 /// "plane", "sphere", "cylinder", "cone" or "torus".
 const char* name_of(SurfaceKind kind);
 

@@ -3,173 +3,14 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/fit/surface_rows.h"
+
 namespace hewn {
 namespace {
 
-// Parameters of each kind, in this order; the axis tilts within its tangent plane (u, w):
-//   plane    tilt u, tilt w, offset
-//   sphere   centre xyz, radius
-//   cylinder axis point u, axis point w, tilt u, tilt w, radius
-//   cone     apex xyz, tilt u, tilt w, half angle
-//   torus    centre xyz, tilt u, tilt w, tube radius, major radius
 constexpr double kMinConeAngle = 0.02;
 constexpr double kMaxConeAngle = 0.985 * kPi / 2;
 constexpr double kMinTorusRatio = 0.05;
-
-constexpr int parameters(SurfaceKind kind) {
-  switch (kind) {
-    case SurfaceKind::Plane:
-      return 3;
-    case SurfaceKind::Sphere:
-      return 4;
-    case SurfaceKind::Cylinder:
-      return 5;
-    case SurfaceKind::Cone:
-      return 6;
-    case SurfaceKind::Torus:
-      return 7;
-  }
-  return 0;
-}
-
-/// A point in the surface's own frame.
-struct LocalPoint {
-  Vec3 d;         // from the surface's point
-  double height;  // along the axis
-  double radial;  // from the axis
-  Vec3 outward;   // unit, from the axis
-};
-
-LocalPoint localise(const Surface& s, const Vec3& x) {
-  LocalPoint p;
-  p.d = x - s.point;
-  p.height = s.axis.dot(p.d);
-  const Vec3 q = p.d - s.axis * p.height;
-  p.radial = q.norm();
-  p.outward = p.radial > 1e-14 ? Vec3(q / p.radial) : tangents(s.axis).u;
-  return p;
-}
-
-/// Distance and its derivatives by the parameters.
-template <SurfaceKind K>
-double distance_row(const Surface& s, const Tangents& f, const Vec3& x,
-                    Eigen::Matrix<double, parameters(K), 1>& row) {
-  if constexpr (K == SurfaceKind::Plane) {
-    row << f.u.dot(x), f.w.dot(x), -1;
-    return s.axis.dot(x) - s.offset;
-  } else if constexpr (K == SurfaceKind::Sphere) {
-    const Vec3 d = x - s.point;
-    const double length = d.norm();
-    row << -d / std::max(length, 1e-14), -1;
-    return length - s.radius;
-  } else {
-    const LocalPoint p = localise(s, x);
-    const double eu = p.outward.dot(f.u);
-    const double ew = p.outward.dot(f.w);
-    if constexpr (K == SurfaceKind::Cylinder) {
-      row << -eu, -ew, -p.height * eu, -p.height * ew, -1;
-      return p.radial - s.radius;
-    } else if constexpr (K == SurfaceKind::Cone) {
-      const double c = std::cos(s.half_angle_rad);
-      const double n = std::sin(s.half_angle_rad);
-      const double along = p.height * c + p.radial * n;
-      row << -(p.outward * c - s.axis * n), -eu * along, -ew * along, -along;
-      return p.radial * c - p.height * n;
-    } else {
-      const double dr = p.radial - s.major_radius;
-      const double tube = std::max(std::hypot(dr, p.height), 1e-14);
-      const double tilt = p.height * s.major_radius / tube;
-      row << -(p.outward * dr + s.axis * p.height) / tube, tilt * eu, tilt * ew, -1, -dr / tube;
-      return tube - s.radius;
-    }
-  }
-}
-
-/// A direction in parameter space, as changes of the surface's own values.
-struct Variation {
-  Vec3 point = Vec3::Zero(), axis = Vec3::Zero();
-  double angle = 0, major = 0;
-};
-
-template <SurfaceKind K>
-Variation variation(const Tangents& f, int j) {
-  Variation v;
-  if constexpr (K == SurfaceKind::Plane) {
-    if (j < 2) v.axis = j == 0 ? f.u : f.w;
-  } else if constexpr (K == SurfaceKind::Sphere) {
-    if (j < 3) v.point = Vec3::Unit(j);
-  } else if constexpr (K == SurfaceKind::Cylinder) {
-    if (j < 2) v.point = j == 0 ? f.u : f.w;
-    if (j == 2 || j == 3) v.axis = j == 2 ? f.u : f.w;
-  } else {
-    if (j < 3) v.point = Vec3::Unit(j);
-    if (j == 3 || j == 4) v.axis = j == 3 ? f.u : f.w;
-    if (j == 5 && K == SurfaceKind::Cone) v.angle = 1;
-    if (j == 6) v.major = 1;
-  }
-  return v;
-}
-
-/// Change of the surface's gradient at `x` under a variation.
-template <SurfaceKind K>
-Vec3 gradient_change(const Surface& s, const LocalPoint& p, const Vec3& gradient,
-                     const Variation& v) {
-  if constexpr (K == SurfaceKind::Plane) return v.axis;
-  if constexpr (K == SurfaceKind::Sphere) {
-    return -(v.point - gradient * gradient.dot(v.point)) / std::max(p.d.norm(), 1e-14);
-  }
-  const Vec3 t = s.axis.cross(p.outward);
-  const double radial = std::max(p.radial, 1e-14);
-  const double dh = v.axis.dot(p.d) - s.axis.dot(v.point);
-  const double dradial = -p.outward.dot(v.point) - p.height * p.outward.dot(v.axis);
-  const Vec3 de =
-      -t * (t.dot(v.point) + p.height * t.dot(v.axis)) / radial - s.axis * p.outward.dot(v.axis);
-  if constexpr (K == SurfaceKind::Cylinder) return de;
-  if constexpr (K == SurfaceKind::Cone) {
-    const double c = std::cos(s.half_angle_rad);
-    const double n = std::sin(s.half_angle_rad);
-    return de * c - v.axis * n - (p.outward * n + s.axis * c) * v.angle;
-  }
-  const double dr = p.radial - s.major_radius;
-  const double tube2 = std::max(dr * dr + p.height * p.height, 1e-28);
-  const double tube = std::sqrt(tube2);
-  const double c = dr / tube;
-  const double n = p.height / tube;
-  const double turn = (dh * dr - p.height * (dradial - v.major)) / tube2;
-  return de * c + v.axis * n + (s.axis * c - p.outward * n) * turn;
-}
-
-/// The axis after a tilt; unchanged to the bit by no tilt.
-Vec3 tilted(const Vec3& axis, const Tangents& f, double u, double w) {
-  return u == 0 && w == 0 ? axis : Vec3((axis + f.u * u + f.w * w).normalized());
-}
-
-template <SurfaceKind K>
-Surface stepped(const Surface& s, const Tangents& f,
-                const Eigen::Matrix<double, parameters(K), 1>& x) {
-  Surface r = s;
-  if constexpr (K == SurfaceKind::Plane) {
-    r.axis = tilted(s.axis, f, x[0], x[1]);
-    r.offset += x[2];
-  } else if constexpr (K == SurfaceKind::Sphere) {
-    r.point += Vec3(x[0], x[1], x[2]);
-    r.radius += x[3];
-  } else if constexpr (K == SurfaceKind::Cylinder) {
-    r.point += f.u * x[0] + f.w * x[1];
-    r.axis = tilted(s.axis, f, x[2], x[3]);
-    r.point -= r.axis * r.axis.dot(r.point);  // the point nearest to the data's centre
-    r.radius += x[4];
-  } else {
-    r.point += Vec3(x[0], x[1], x[2]);
-    r.axis = tilted(s.axis, f, x[3], x[4]);
-    if constexpr (K == SurfaceKind::Cone) r.half_angle_rad += x[5];
-    if constexpr (K == SurfaceKind::Torus) {
-      r.radius += x[5];
-      r.major_radius += x[6];
-    }
-  }
-  return r;
-}
 
 /// Centres and scales the data, so that all parameters are of order one.
 struct Frame {
@@ -200,20 +41,6 @@ struct Frame {
   }
 };
 
-/// Index of the first tilt parameter; the second follows. -1 for spheres.
-constexpr int first_tilt(SurfaceKind kind) {
-  switch (kind) {
-    case SurfaceKind::Plane:
-      return 0;
-    case SurfaceKind::Sphere:
-      return -1;
-    case SurfaceKind::Cylinder:
-      return 2;
-    default:
-      return 3;
-  }
-}
-
 /// Takes the tilt out of the normal equations.
 template <SurfaceKind K, class Square>
 void lock_tilt(Square& hessian) {
@@ -243,6 +70,7 @@ class Refiner {
     }
     robust_scale_ = settings.robust_scale / frame.scale;
     weights_.assign(points_.size(), 1.0);
+    std::copy(given_.begin(), given_.end(), weights_.begin());
   }
 
   bool run(Surface& s) {
@@ -262,44 +90,55 @@ class Refiner {
 
  private:
   void update_weights(const Surface& s) {
+    if (robust_scale_ <= 0) return;
+    const SurfaceField field(s);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       weights_[i] = given_.empty() ? 1.0 : given_[i];
-      if (robust_scale_ <= 0) continue;
       weights_[i] *=
-          robust_scale_ / std::max(std::abs(s.signed_distance(points_[i])), robust_scale_);
+          robust_scale_ / std::max(std::abs(field.signed_distance<K>(points_[i])), robust_scale_);
     }
   }
 
   void assemble(const Surface& s) {
-    frame_ = tangents(s.axis);
+    const RowFrame frame(s);
+    frame_ = frame.tilt;
     hessian_.setZero();
     slope_.setZero();
     cost_ = 0;
     Row row;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const double r = distance_row<K>(s, frame_, points_[i], row);
-      hessian_.template selfadjointView<Eigen::Lower>().rankUpdate(row, weights_[i]);
+      const double r = distance_row<K>(frame, points_[i], row);
+      add_square(row, weights_[i]);
       slope_ += row * (weights_[i] * r);
       cost_ += weights_[i] * r * r;
     }
     hessian_ = hessian_.template selfadjointView<Eigen::Lower>();
-    if (!normals_.empty()) assemble_normals(s);
+    if (!normals_.empty()) assemble_normals(frame);
     if (settings_.keep_axis && first_tilt(K) >= 0) {
       lock_tilt<K>(hessian_);
       slope_.template segment<2>(std::max(0, first_tilt(K))).setZero();
     }
   }
 
-  void assemble_normals(const Surface& s) {
+  /// Adds weight row row^T to the lower half. In full sight of the compiler, unlike Eigen's own.
+  void add_square(const Row& row, double weight) {
+    for (int j = 0; j < kSize; ++j) {
+      const double factor = weight * row[j];
+      for (int i = j; i < kSize; ++i) hessian_(i, j) += factor * row[i];
+    }
+  }
+
+  void assemble_normals(const RowFrame& frame) {
+    const SurfaceField field(frame.surface);
     Variation variations[kSize];
     for (int j = 0; j < kSize; ++j) variations[j] = variation<K>(frame_, j);
     const double w2 = settings_.normal_weight * settings_.normal_weight;
     Eigen::Matrix<double, 3, kSize> block;
     for (std::size_t i = 0; i < normals_.size(); ++i) {
-      const Vec3 g = s.gradient(normal_points_[i]);
-      const LocalPoint p = localise(s, normal_points_[i]);
+      const Vec3 g = field.gradient(normal_points_[i]);
+      const LocalPoint p = localise(frame.surface, normal_points_[i]);
       for (int j = 0; j < kSize; ++j) {
-        block.col(j) = gradient_change<K>(s, p, g, variations[j]);
+        block.col(j) = gradient_change<K>(frame, p, g, variations[j]);
       }
       const Vec3 r = g - (g.dot(normals_[i]) < 0 ? -1.0 : 1.0) * normals_[i];
       hessian_ += w2 * block.transpose() * block;
@@ -310,13 +149,14 @@ class Refiner {
 
   double cost_of(const Surface& s) const {
     double cost = 0;
+    const SurfaceField field(s);
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const double r = s.signed_distance(points_[i]);
+      const double r = field.signed_distance<K>(points_[i]);
       cost += weights_[i] * r * r;
     }
     const double w2 = settings_.normal_weight * settings_.normal_weight;
     for (std::size_t i = 0; i < normals_.size(); ++i) {
-      const Vec3 g = s.gradient(normal_points_[i]);
+      const Vec3 g = field.gradient(normal_points_[i]);
       cost += w2 * (g - (g.dot(normals_[i]) < 0 ? -1.0 : 1.0) * normals_[i]).squaredNorm();
     }
     return cost;
@@ -389,11 +229,11 @@ FitDeviation deviation(const Surface& surface, std::span<const Vec3> points, dou
   const Frame frame(points);
   Surface s = frame.to_local(surface);
   if (K == SurfaceKind::Cylinder) s.point -= s.axis * s.axis.dot(s.point);
-  const Tangents f = tangents(s.axis);
+  const RowFrame f(s);
   Eigen::Matrix<double, kSize, kSize> hessian = Eigen::Matrix<double, kSize, kSize>::Zero();
   Eigen::Matrix<double, kSize, 1> row;
   for (const Vec3& p : points) {
-    distance_row<K>(s, f, frame.to_local(p), row);
+    distance_row<K>(f, frame.to_local(p), row);
     hessian += row * row.transpose();
   }
   if (keep_axis) lock_tilt<K>(hessian);
@@ -460,8 +300,9 @@ bool refine_surface(Surface& surface, const FitData& data, const FitSettings& se
 double rms_distance(const Surface& surface, std::span<const Vec3> points) {
   if (points.empty()) return 0;
   double sum = 0;
+  const SurfaceField field(surface);
   for (const Vec3& p : points) {
-    const double d = surface.signed_distance(p);
+    const double d = field.signed_distance(p);
     sum += d * d;
   }
   return std::sqrt(sum / static_cast<double>(points.size()));

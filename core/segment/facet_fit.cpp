@@ -102,25 +102,26 @@ Surface FacetFitter::plane_of(int facet) const {
 }
 
 FitQuality FacetFitter::evaluate(const Surface& surface, std::span<const int> facets) const {
+  const SurfaceField field(surface);
   FitQuality q;
   std::size_t count = 0;
   for (const int f : facets) {
     for (const int v : graph_.corners(f)) {
-      const double d = std::abs(surface.signed_distance(mesh_.vertices[v]));
+      const double d = std::abs(field.signed_distance(mesh_.vertices[v]));
       q.max_distance = std::max(q.max_distance, d);
       q.rms_distance += d * d;
       ++count;
     }
     const Facet& facet = graph_.facets[f];
-    q.sagitta = std::max(q.sagitta, std::abs(surface.signed_distance(facet.centroid)));
+    q.sagitta = std::max(q.sagitta, std::abs(field.signed_distance(facet.centroid)));
     q.max_angle_rad =
-        std::max(q.max_angle_rad, unsigned_angle(surface.gradient(facet.centroid), facet.normal));
+        std::max(q.max_angle_rad, unsigned_angle(field.gradient(facet.centroid), facet.normal));
   }
   q.rms_distance = std::sqrt(q.rms_distance / static_cast<double>(std::max<std::size_t>(1, count)));
   return q;
 }
 
-double FacetFitter::max_distance(const Surface& surface, int facet) const {
+double FacetFitter::max_distance(const SurfaceField& surface, int facet) const {
   double d = 0;
   for (const int v : graph_.corners(facet)) {
     d = std::max(d, std::abs(surface.signed_distance(mesh_.vertices[v])));
@@ -128,7 +129,7 @@ double FacetFitter::max_distance(const Surface& surface, int facet) const {
   return d;
 }
 
-double FacetFitter::max_depth(const Surface& surface, int facet) const {
+double FacetFitter::max_depth(const SurfaceField& surface, int facet) const {
   return std::max(max_distance(surface, facet),
                   std::abs(surface.signed_distance(graph_.facets[facet].centroid)));
 }

@@ -54,11 +54,17 @@ class FacetFitter {
   Surface plane_of(int facet) const;
   FitQuality evaluate(const Surface& surface, std::span<const int> facets) const;
   /// Largest distance of a facet's corners.
-  double max_distance(const Surface& surface, int facet) const;
+  double max_distance(const SurfaceField& surface, int facet) const;
+  double max_distance(const Surface& surface, int facet) const {
+    return max_distance(SurfaceField(surface), facet);
+  }
 
   /// Largest distance of a facet's corners and its centre: all corners of a chord lie on a
   /// cylinder.
-  double max_depth(const Surface& surface, int facet) const;
+  double max_depth(const SurfaceField& surface, int facet) const;
+  double max_depth(const Surface& surface, int facet) const {
+    return max_depth(SurfaceField(surface), facet);
+  }
 
   /// Too small for its normal to mean anything.
   bool is_tiny(int facet) const;

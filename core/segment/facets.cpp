@@ -6,6 +6,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/compute/parallel.h"
+#include "core/mesh/edge_use.h"
+
 namespace hewn {
 namespace {
 
@@ -16,6 +19,7 @@ constexpr double kNormalSlack = 2e-6;   // of a triangle's tilt, times its heigh
 constexpr double kFreeAngle = 0.01;     // radians; tilt that is always allowed
 constexpr double kHintCosine = 0.3;
 constexpr int kPasses = 3;
+constexpr std::size_t kGrain = 4096;  // triangles or facets a worker takes at a time
 
 double longest_side(const Mesh& mesh, int t) {
   double longest = 0;
@@ -34,23 +38,28 @@ struct Plane {
 class FacetMerger {
  public:
   FacetMerger(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors,
-              const FacetTolerance& tolerance)
+              const FacetTolerance& tolerance, const RunContext& run)
       : mesh_(mesh), neighbors_(neighbors), tolerance_(tolerance), diagonal_(mesh.diagonal()) {
     const int n = static_cast<int>(mesh.triangles.size());
     height_.resize(n);
-    for (int t = 0; t < n; ++t) {
-      height_[t] = 2 * mesh.areas[t] / std::max(longest_side(mesh, t), 1e-300);
-    }
+    least_cosine_.resize(n);
+    for_each_chunk(run.threads, height_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const int t = static_cast<int>(i);
+        height_[t] = 2 * mesh.areas[t] / std::max(longest_side(mesh, t), 1e-300);
+        least_cosine_[t] = least_cosine(height_[t]);
+      }
+    });
     facet_of_.assign(n, -1);
     visited_.assign(n, -1);
   }
 
   std::vector<int> merge(std::vector<Facet>& facets, const RunContext& run) {
-    std::vector<int> order(mesh_.triangles.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int a, int b) { return mesh_.areas[a] > mesh_.areas[b]; });
-    for (const int seed : order) {
+    // Largest first, then in their own order.
+    std::vector<std::pair<double, int>> order(mesh_.triangles.size());
+    for (int t = 0; t < static_cast<int>(order.size()); ++t) order[t] = {-mesh_.areas[t], t};
+    std::sort(order.begin(), order.end());
+    for (const auto& [negative_area, seed] : order) {
       if (facet_of_[seed] >= 0) continue;
       if (run.is_cancelled()) break;
       Facet facet = grow(seed);
@@ -92,16 +101,17 @@ class FacetMerger {
     }
   }
 
-  bool fits(int t, const Plane& plane) const {
-    const double h = height_[t];
-    const double cosine = mesh_.normals[t].dot(plane.normal);
-    if (h < kNarrowHeight * diagonal_) {
-      if (h > kSliverHeight * diagonal_ && cosine < kHintCosine) return false;
-    } else {
-      const double slack = (kNormalSlack * diagonal_ + 4 * tolerance_.noise) / h;
-      const double allowed = std::min(std::max(kFreeAngle, slack), 1.2);
-      if (cosine < std::cos(allowed)) return false;
+  /// Of the angle by which a triangle of this height may turn from the plane.
+  double least_cosine(double height) const {
+    if (!(height >= kNarrowHeight * diagonal_)) {
+      return height > kSliverHeight * diagonal_ ? kHintCosine : -kInfinity;
     }
+    const double slack = (kNormalSlack * diagonal_ + 4 * tolerance_.noise) / height;
+    return std::cos(std::min(std::max(kFreeAngle, slack), 1.2));
+  }
+
+  bool fits(int t, const Plane& plane) const {
+    if (mesh_.normals[t].dot(plane.normal) < least_cosine_[t]) return false;
     for (int k = 0; k < 3; ++k) {
       const double d = plane.normal.dot(mesh_.corner(t, k)) - plane.offset;
       if (std::abs(d) > tolerance_.plane) return false;
@@ -125,7 +135,7 @@ class FacetMerger {
   const std::vector<std::array<int, 3>>& neighbors_;
   FacetTolerance tolerance_;
   double diagonal_;
-  std::vector<double> height_;
+  std::vector<double> height_, least_cosine_;
   std::vector<int> facet_of_, visited_;
   int stamp_ = 0;
 };
@@ -207,32 +217,13 @@ double pooled_deviation(std::vector<Residual>& residuals) {
 }  // namespace
 
 std::vector<std::array<int, 3>> triangle_neighbors(const Mesh& mesh) {
-  struct Side {
-    std::uint64_t edge;
-    int triangle, k;
-    auto operator<=>(const Side&) const = default;
-  };
-  std::vector<Side> sides;
-  sides.reserve(mesh.triangles.size() * 3);
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const int a = mesh.triangles[t][k];
-      const int b = mesh.triangles[t][(k + 1) % 3];
-      const auto low = static_cast<std::uint64_t>(std::min(a, b));
-      sides.push_back({(low << 32) | static_cast<std::uint64_t>(std::max(a, b)), t, k});
-    }
-  }
-  std::sort(sides.begin(), sides.end());
   std::vector<std::array<int, 3>> neighbors(mesh.triangles.size(), {-1, -1, -1});
-  for (std::size_t i = 0; i < sides.size();) {
-    std::size_t j = i + 1;
-    while (j < sides.size() && sides[j].edge == sides[i].edge) ++j;
-    if (j - i == 2) {
-      neighbors[sides[i].triangle][sides[i].k] = sides[i + 1].triangle;
-      neighbors[sides[i + 1].triangle][sides[i + 1].k] = sides[i].triangle;
-    }
-    i = j;
-  }
+  const std::vector<EdgeSide> sides = sorted_sides(mesh.triangles);
+  for_each_edge(sides, [&](std::span<const EdgeSide> edge) {
+    if (edge.size() != 2) return;
+    neighbors[edge[0].triangle()][edge[0].corner()] = edge[1].triangle();
+    neighbors[edge[1].triangle()][edge[1].corner()] = edge[0].triangle();
+  });
   return neighbors;
 }
 
@@ -310,7 +301,7 @@ void FacetGraph::collect_neighbors(const Mesh& mesh,
 FacetGraph build_facets(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors,
                         const FacetTolerance& tolerance, const RunContext& run) {
   FacetGraph graph;
-  graph.facet_of_triangle = FacetMerger(mesh, neighbors, tolerance).merge(graph.facets, run);
+  graph.facet_of_triangle = FacetMerger(mesh, neighbors, tolerance, run).merge(graph.facets, run);
   graph.collect_vertices(mesh);
   graph.collect_corners(mesh, neighbors);
   graph.collect_neighbors(mesh, neighbors);
@@ -358,11 +349,13 @@ double estimate_noise(const Mesh& mesh, const std::vector<std::array<int, 3>>& n
   const double diagonal = mesh.diagonal();
   const FacetGraph graph =
       build_facets(mesh, neighbors, {kLoosePlane * diagonal, kLooseNoise * diagonal}, run);
-  std::vector<Residual> residuals;
-  for (int f = 0; f < graph.size() && !run.is_cancelled(); ++f) {
-    const Residual r = plane_residual(mesh, graph.vertices(f));
-    if (r.freedom > 0) residuals.push_back(r);
-  }
+  std::vector<Residual> residuals(graph.facets.size());
+  for_each_chunk(run.threads, residuals.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end && !run.is_cancelled(); ++f) {
+      residuals[f] = plane_residual(mesh, graph.vertices(static_cast<int>(f)));
+    }
+  });
+  std::erase_if(residuals, [](const Residual& r) { return r.freedom <= 0; });
   return std::max({kRounding * diagonal, coordinate_rounding(mesh), pooled_deviation(residuals)});
 }
 

@@ -45,5 +45,23 @@ TEST_CASE("nothing is called for an empty range") {
   CHECK(!was_called);
 }
 
+TEST_CASE("a worker does one thing at a time, and together they do all") {
+  for (const int threads : {1, 2, 8}) {
+    const auto workers = static_cast<std::size_t>(worker_count(threads));
+    std::vector<std::atomic<int>> busy(workers);
+    std::vector<std::atomic<int>> visits(500);
+    std::atomic<bool> is_shared{false};
+    for_each_with_worker(threads, workers, visits.size(), [&](std::size_t worker, std::size_t i) {
+      if (busy[worker]++ != 0) is_shared = true;
+      ++visits[i];
+      --busy[worker];
+    });
+    CHECK_FALSE(is_shared);
+    for (const auto& count : visits) CHECK(count == 1);
+  }
+  CHECK(worker_count(1) == 1);
+  CHECK(worker_count(0) >= worker_count(2));
+}
+
 }  // namespace
 }  // namespace hewn

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "core/base/rng.h"
+#include "core/mesh/load.h"
 #include "core/segment/segment.h"
 #include "tests/support/solids.h"
 
@@ -322,6 +323,82 @@ TEST_CASE("size and place of a part do not matter") {
     REQUIRE(groups_of_kind(s, SurfaceKind::Cylinder).size() == 1);
     CHECK(groups_of_kind(s, SurfaceKind::Cylinder)[0].surface.radius / scale ==
           doctest::Approx(0.8).epsilon(1e-6));
+  }
+}
+
+/// Upright cylinders of 16 sides in four quarters: the turn from one quarter to the next is too
+/// much for one smooth component, and little enough for growth to cross.
+Mesh quartered_cylinders(int count) {
+  Mesh all;
+  for (int i = 0; i < count; ++i) {
+    std::vector<double> azimuths = {0};
+    for (int q = 0; q < 4; ++q) {
+      for (const double width : {24.5, 20.5, 20.5, 24.5}) {
+        azimuths.push_back(azimuths.back() + width * kPi / 180);
+      }
+    }
+    std::vector<Vec3> vertices;
+    for (const double z : {0.0, 1.0}) {
+      for (int k = 0; k < 16; ++k) {
+        vertices.push_back({3.0 * i + std::cos(azimuths[k]), std::sin(azimuths[k]), z});
+      }
+    }
+    std::vector<std::array<int, 3>> triangles;
+    for (int k = 0; k < 16; ++k) {
+      const int next = (k + 1) % 16;
+      triangles.push_back({k, next, 16 + next});
+      triangles.push_back({k, 16 + next, 16 + k});
+      if (k < 2) continue;
+      triangles.push_back({0, k, k - 1});
+      triangles.push_back({16, 16 + k - 1, 16 + k});
+    }
+    const Mesh one = make_mesh(vertices, triangles);
+    all = i == 0 ? one : solids::together(all, one);
+  }
+  return all;
+}
+
+void check_same_to_the_bit(const Segmentation& a, const Segmentation& b) {
+  REQUIRE(a.group_of_triangle == b.group_of_triangle);
+  for (std::size_t g = 0; g < a.groups.size(); ++g) {
+    CHECK(a.groups[g].surface.radius == b.groups[g].surface.radius);
+    CHECK(a.groups[g].surface.point == b.groups[g].surface.point);
+    CHECK(a.groups[g].surface.axis == b.groups[g].surface.axis);
+  }
+}
+
+TEST_CASE("surfaces that cross smooth components come out alike for any number of threads") {
+  const Mesh mesh = quartered_cylinders(8);
+  RunContext one;
+  one.threads = 1;
+  const auto expected = segment(mesh, {}, one);
+  REQUIRE(expected.has_value());
+  CHECK(groups_of_kind(*expected, SurfaceKind::Cylinder).size() == 8);
+  CHECK(expected->groups.size() == 24);
+  for (const int threads : {2, 3, 8}) {
+    RunContext run;
+    run.threads = threads;
+    const auto found = segment(mesh, {}, run);
+    REQUIRE(found.has_value());
+    check_same_to_the_bit(*expected, *found);
+  }
+}
+
+TEST_CASE("the sample parts are divided alike for any number of threads") {
+  for (const char* part : {"bracket.off", "housing.stl", "elbow.off", "knob.ply"}) {
+    CAPTURE(part);
+    RunContext run;
+    run.threads = 1;
+    const auto loaded = load_mesh(std::string(HEWN_ASSETS "/") + part, {}, run);
+    REQUIRE(loaded.has_value());
+    const auto expected = segment(loaded->mesh, {}, run);
+    REQUIRE(expected.has_value());
+    for (const int threads : {2, 0}) {
+      run.threads = threads;
+      const auto found = segment(loaded->mesh, {}, run);
+      REQUIRE(found.has_value());
+      check_same_to_the_bit(*expected, *found);
+    }
   }
 }
 
