@@ -79,7 +79,7 @@ void leave(Ui& ui) {
     state.knife = {};
   } else {
     state.selected.clear();
-    state.picked_literal = -1;
+    state.picked_literal = state.picked_node = -1;
   }
 }
 
@@ -292,6 +292,12 @@ void add_show_actions(std::vector<Action>& out) {
   out.push_back({"View", "Show difference", 'D', 0,
                  "Show only where mesh and result differ by more than the tolerance.", has_view,
                  put(&StudioState::show, ShowMode::Difference)});
+  out.push_back({"View", "Exact result", 'E', 0,
+                 "Draw the result ray by ray: automatically, always, or never.", has_result,
+                 [](Ui& ui) {
+                   const int next = (static_cast<int>(ui.state.exact) + 1) % 3;
+                   ui.state.exact = static_cast<ExactMode>(next);
+                 }});
   out.push_back({"View", "Light theme", 'T', kCtrl, "Switch between the dark and light theme.",
                  always, flip(&StudioState::is_light)});
   out.push_back(
@@ -398,7 +404,7 @@ void reset_view(StudioState& state) {
   state.active_partition.clear();
   state.knife = {};
   state.tool = Tool::Select;
-  state.picked_literal = -1;
+  state.picked_literal = state.picked_node = state.hovered_node = -1;
   state.show = ShowMode::Input;
   state.wants_fit = true;
 }

@@ -35,8 +35,11 @@ bool Studio::key(int key, int mods, bool is_down) {
   }
   if (!is_down) return false;
   constexpr int kEscape = 256;
-  // While a text is typed, letters belong to it; Ctrl and Esc do not.
-  if (is_typing() && key != kEscape && !(mods & kCtrl)) return false;
+  constexpr int kF1 = 290;
+  constexpr int kF25 = 314;
+  const bool writes = key != kEscape && (key < kF1 || key > kF25) && !(mods & kCtrl);
+  // While a text is typed, letters belong to it; Ctrl, Esc and the keys F1 and on do not.
+  if (is_typing() && writes) return false;
   if (is_typing() && (key == 'A' || key == 'Z')) return false;
   return run_shortcut(ui_, key, mods);
 }
@@ -150,6 +153,7 @@ void Studio::frame(float width, float height) {
   draw_knife_card(ui_, view);
   draw_section_slider(ui_, view);
   draw_deviation_legend(ui_, view);
+  draw_exact_card(ui_, view);
   draw_hints(ui_, view);
   draw_recovery(ui_, view);
   draw_notices(ui_, view);
@@ -176,8 +180,12 @@ std::string Studio::status_line() const {
                         {"has_view", session.result_view() != nullptr},
                         {"has_plane", state_.knife.plane.has_value()},
                         {"has_file_panel", state_.file.kind != FileRequest::Kind::None},
+                        {"hovered_literal", state_.hovered_literal},
                         {"hovered_result", state_.hovered_result},
                         {"active_field", state_.active_field},
+                        {"is_exact", state_.exact_now.is_exact},
+                        {"shows_graph", state_.shows_graph},
+                        {"recoverable", state_.recoverable.size()},
                         {"is_rough", viewport_.wants_detail()}};
   if (document.is_ready()) {
     const auto& groups = document.prepared->segmentation.groups;
@@ -204,6 +212,7 @@ void Studio::load_settings(const std::filesystem::path& file) {
   if (!json.is_object()) return;
   try {
     state_.is_light = json.value("light", false);
+    state_.exact = static_cast<ExactMode>(std::clamp(json.value("exact", 0), 0, 2));
     state_.left_width = std::clamp(json.value("left", state_.left_width), 200.0F, 520.0F);
     state_.right_width = std::clamp(json.value("right", state_.right_width), 200.0F, 520.0F);
     state_.shows_hints = json.value("hints", true);
@@ -218,11 +227,10 @@ void Studio::load_settings(const std::filesystem::path& file) {
 Result<void> Studio::save_settings(const std::filesystem::path& file) const {
   std::vector<std::string> recent;
   for (const auto& path : state_.recent) recent.push_back(path.string());
-  const nlohmann::json json = {{"light", state_.is_light},
-                               {"left", state_.left_width},
-                               {"right", state_.right_width},
-                               {"hints", state_.shows_hints},
-                               {"recent", recent}};
+  const nlohmann::json json = {
+      {"light", state_.is_light},    {"exact", static_cast<int>(state_.exact)},
+      {"left", state_.left_width},   {"right", state_.right_width},
+      {"hints", state_.shows_hints}, {"recent", recent}};
   std::error_code ignored;
   std::filesystem::create_directories(file.parent_path(), ignored);
   return write_file(file,

@@ -12,12 +12,28 @@
 #include "core/session/session.h"
 #include "ui/theme.h"
 #include "ui/view/camera.h"
+#include "ui/view/exact_choice.h"
 
 namespace hewn {
 
 enum class Tool { Select, Box, Lasso, Knife };
 enum class ColourMode { Group, Kind, Partition, Deviation };
 enum class ShowMode { Input, Result, Overlay, Difference };
+
+/// How the shown result is drawn at the moment; kept by the viewport, for the caption.
+struct ExactNow {
+  bool is_exact = false;
+  ExactCost cost;
+  std::string problem;  ///< why it cannot be drawn exactly; empty: it can
+};
+
+/// The view of the tree's graph.
+struct GraphState {
+  float zoom = 1;
+  float pan_x = 0, pan_y = 0;  ///< of the graph's corner from the panel's, pixels
+  bool wants_fit = true;
+  bool is_panning = false;
+};
 
 /// The cut that is being placed.
 struct KnifeState {
@@ -42,6 +58,8 @@ struct StudioState {
   Tool tool = Tool::Select;
   ColourMode colours = ColourMode::Group;
   ShowMode show = ShowMode::Input;
+  ExactMode exact = ExactMode::Auto;
+  ExactNow exact_now;
   bool is_xray = false;
   bool is_wireframe = false;
   bool is_comparing = false;      ///< the compare key is held: the input alone
@@ -55,11 +73,14 @@ struct StudioState {
   std::string hovered_result;  ///< source of the tree under the mouse in the Pareto plot
   std::string active_field;    ///< name of the literal's number that is being typed
   int picked_literal = -1;
+  int hovered_node = -1, picked_node = -1;  ///< operations of the shown tree
   std::vector<int> hovered_groups;  ///< of a row in a list
   std::set<int> hidden;             ///< face groups
   PartitionPath active_partition;   ///< where new partitions go
   std::set<std::string> locked;     ///< partitions by name: their groups cannot be picked
   KnifeState knife;
+  GraphState graph;
+  bool shows_graph = false;  ///< the graph's tab is open
 
   bool is_light = false;
   bool shows_palette = false;

@@ -175,7 +175,7 @@ Fonts load_fonts(float scale) {
   fonts.heading = add_font(bold, icons, std::round(15 * scale));
   fonts.has_icons = !icons.empty();
   atlas.Build();
-  for (ImFont* font : {fonts.body, fonts.small, fonts.heading}) make_digits_tabular(font);
+  for (ImFont* font : {fonts.body, fonts.small}) make_digits_tabular(font);  // headings are no tables
   return fonts;
 }
 

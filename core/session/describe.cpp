@@ -53,7 +53,7 @@ std::string describe_group(const FaceGroup& group) {
     case SurfaceKind::Cylinder:
       return fmt::format("cylinder r {}", short_number(s.radius));
     case SurfaceKind::Cone:
-      return fmt::format("cone {} deg", short_number(s.half_angle_rad * 180 / kPi));
+      return fmt::format("cone {}\u00b0", short_number(s.half_angle_rad * 180 / kPi));
     case SurfaceKind::Torus:
       break;
   }

@@ -12,6 +12,7 @@
 #include "core/csg/protrude.h"
 #include "core/segment/segment.h"
 #include "core/session/free_form.h"
+#include "core/session/part_report.h"
 
 namespace hewn {
 namespace {
@@ -42,11 +43,12 @@ class SharedProgress {
  public:
   SharedProgress(const RunContext& run, std::size_t count) : run_(run), shares_(count, 0) {}
 
-  RunContext context_for(std::size_t i) {
+  RunContext context_for(std::size_t i, PartReport& part) {
     RunContext own = run_;
-    if (run_.on_progress) {
-      own.on_progress = [this, i](const char* stage, double share) { update(i, stage, share); };
-    }
+    own.on_progress = [this, i, &part](const char* stage, double share) {
+      part.running(stage, share);
+      update(i, stage, share);
+    };
     return own;
   }
 
@@ -101,6 +103,8 @@ class Reconstructor {
       if (forward) forward(entry);
     };
   }
+
+  void tell(PartBoard* board) { board_ = board; }
 
   /// Of stages that ran before this object was made.
   void keep_warnings(const std::vector<std::string>& warnings) { out_.warnings = warnings; }
@@ -225,9 +229,13 @@ class Reconstructor {
       return Error{ErrorCode::InvalidArgument, "no partition has a face group: nothing to do"};
     }
     std::vector<std::optional<Result<PartitionResult>>> answers(work_.size());
+    std::vector<PartReport> reports;
+    for (const std::size_t p : work_) reports.emplace_back(board_, partitions[p].name);
     SharedProgress progress(run_, work_.size());
     for_each_index(run_.threads, work_.size(), [&](std::size_t i) {
-      answers[i] = search_one(partitions[work_[i]], progress.context_for(i));
+      reports[i].begin();
+      answers[i] = search_one(partitions[work_[i]], progress.context_for(i, reports[i]));
+      reports[i].end(*answers[i]);
     });
     for (auto& answer : answers) {
       if (!*answer) return answer->error();
@@ -333,6 +341,7 @@ class Reconstructor {
   }
 
   const Project& project_;
+  PartBoard* board_ = nullptr;
   RunContext run_;
   std::mutex mutex_;
   Reconstruction out_;
@@ -364,8 +373,9 @@ Result<Reconstruction> reconstruct(const Project& project, const RunContext& run
 }
 
 Result<Reconstruction> reconstruct(const Project& project, SegmentedMesh segmented,
-                                   const RunContext& run) {
+                                   const RunContext& run, PartBoard* board) {
   Reconstructor reconstructor(project, run);
+  reconstructor.tell(board);
   reconstructor.keep_warnings(segmented.report.warnings);
   return reconstructor.run(std::move(segmented));
 }

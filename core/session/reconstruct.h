@@ -15,6 +15,8 @@
 
 namespace hewn {
 
+class PartBoard;
+
 /// What became of one partition that has groups of its own.
 struct PartitionResult {
   std::string name;
@@ -65,8 +67,8 @@ Result<Reconstruction> with_edits(Reconstruction found, const Project& project,
                                   const RunContext& run);
 
 /// The second half alone: `segmented` is what `segment_project` made of the same project.
-/// The same result as that of the whole.
+/// The same result as that of the whole. `board`: told how far each partition is; null: nobody.
 Result<Reconstruction> reconstruct(const Project& project, SegmentedMesh segmented,
-                                   const RunContext& run);
+                                   const RunContext& run, PartBoard* board = nullptr);
 
 }  // namespace hewn

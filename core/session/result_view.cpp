@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "core/compute/parallel.h"
 #include "core/io/stl.h"
@@ -78,6 +79,11 @@ std::vector<double> vertex_deviations(const Tree& tree, const Mesh& mesh, const 
 Result<ResultView> build_result_view(const Reconstruction& found, const RunContext& run) {
   ResultView view;
   const Mesh& mesh = *found.prepared.mesh;
+  if (auto program = encode_tree(found.tree)) {
+    view.program = std::make_shared<const TreeProgram>(std::move(*program));
+  } else {
+    view.program_problem = program.error().message;
+  }
   run.report("tessellate", 0);
   auto surface = tessellate(found.tree, TessellationOptions{}, run);
   if (run.is_cancelled()) return RunContext::cancelled();

@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "core/base/run_context.h"
+#include "core/csg/tree_program.h"
 #include "core/session/display_mesh.h"
 #include "core/session/reconstruct.h"
 
@@ -15,7 +16,10 @@ namespace hewn {
 struct ResultView {
   /// The tree's surface, labelled by literal; empty when it could not be tessellated.
   DisplayMesh surface;
-  std::string problem;  ///< why `surface` is empty; else empty
+  /// The tree for drawing ray by ray; null when it cannot be said so.
+  std::shared_ptr<const TreeProgram> program;
+  std::string program_problem;  ///< why `program` is null; else empty
+  std::string problem;          ///< why `surface` is empty; else empty
   /// The input's triangles, corner by corner, labelled by the literal that explains them; `value`
   /// is the signed distance from the tree's surface, positive outside, in model units.
   DisplayMesh input;

@@ -37,12 +37,12 @@ using SharedResult = std::shared_ptr<const FoundResult>;
 /// The result of a search from the groups as they stand; of `base`, when it is there, with the
 /// plan's edits of literals.
 Result<SharedResult> search(const Document& document, const SharedResult& base, std::string source,
-                            const RunContext& run) {
+                            const RunContext& run, PartBoard* board = nullptr) {
   SegmentedMesh segmented;
   segmented.report = document.source->report;
   segmented.prepared = *document.prepared;
   auto found = base ? with_edits(base->found, document.project, run)
-                    : reconstruct(document.project, std::move(segmented), run);
+                    : reconstruct(document.project, std::move(segmented), run, board);
   if (!found) return found.error();
   auto result = std::make_shared<FoundResult>();
   result->project = document.project;
@@ -174,6 +174,7 @@ void Session::drop_edit() {
 }
 
 void Session::cancel_jobs() {
+  if (board_) board_->stop();
   jobs_.cancel_all();
   edits_.cancel_all();
   drop_edit();
@@ -308,9 +309,18 @@ int Session::add_search(const Project& project, std::string source) {
   document.project = project;
   std::string name = source == "plan" ? "searching" : "searching (" + source + ")";
   const auto base = project.edits.empty() ? nullptr : unedited_result();
+  const auto board = std::make_shared<PartBoard>();
+  if (source == "plan") {
+    board_ = board;
+    board_plan_ = plan();
+    for (const PartitionView& view : partitions()) {
+      if (!view.partition.groups.empty()) board->update({.name = view.partition.name});
+    }
+  }
   return jobs_.add(std::move(name),
-                   [this, document, base, source](const RunContext& run) -> JobCompletion {
-                     auto result = search(document, base, source, run);
+                   [this, document, base, source, board](const RunContext& run) -> JobCompletion {
+                     auto result = search(document, base, source, run, board.get());
+                     if (!result) board->stop();
                      return [this, result, searched = plan_text(document.project)] {
                        ++revision_;
                        if (result) {
@@ -431,6 +441,21 @@ const std::string& Session::plan() const {
     derived_.plan_edition = history_.edition();
   }
   return derived_.plan;
+}
+
+std::vector<PartProgress> Session::partition_progress() const {
+  if (const auto result = current_result()) {
+    std::vector<PartProgress> parts;
+    for (const PartitionResult& p : result->found.partitions) {
+      parts.push_back({.name = p.name,
+                       .state = PartProgress::State::Done,
+                       .size = tree_size(p.answer.tree),
+                       .literals = literal_count(p.answer.tree),
+                       .error = 1 - p.answer.agreement});
+    }
+    return parts;
+  }
+  return board_ && board_plan_ == plan() ? board_->parts() : std::vector<PartProgress>{};
 }
 
 const std::vector<PartitionView>& Session::partitions() const {

@@ -14,6 +14,7 @@
 #include "core/session/display_mesh.h"
 #include "core/session/history.h"
 #include "core/session/job_queue.h"
+#include "core/session/part_board.h"
 #include "core/session/result_view.h"
 
 namespace hewn {
@@ -87,6 +88,9 @@ class Session {
   std::shared_ptr<const ResultView> result_view() const;
   /// The partitions of the document with their groups; see `partition_views`.
   const std::vector<PartitionView>& partitions() const;
+  /// How far the partitions of the present plan have got: of the search that runs or ran last, or
+  /// of the result that is there. Empty when the plan was not searched yet.
+  std::vector<PartProgress> partition_progress() const;
   /// Why the last search for the present plan failed; empty when it did not.
   const std::string& failure() const { return failure_; }
 
@@ -145,6 +149,8 @@ class Session {
   bool wants_views_ = true;
   std::string failure_;
   int search_job_ = 0;
+  std::shared_ptr<PartBoard> board_;  ///< of the last search for a plan
+  std::string board_plan_;
   std::string searched_plan_;
   std::vector<int> variant_jobs_;
   std::shared_ptr<const PreparedMesh> display_of_;

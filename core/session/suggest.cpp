@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/csg/tree_nodes.h"
 #include "core/session/describe.h"
 
 namespace hewn {
@@ -21,11 +22,6 @@ struct Term {
   std::vector<int> literals;
 };
 
-void collect_literals(const Tree& tree, int node, std::vector<int>& out) {
-  if (tree.nodes[node].op == Op::Literal) out.push_back(tree.nodes[node].literal);
-  for (const int child : tree.nodes[node].children) collect_literals(tree, child, out);
-}
-
 /// The operands of the outermost operation, the first included. A union below a difference on its
 /// left, as in (a + b) - c, is not opened: its parts are the body that the rest is taken from.
 std::vector<Term> outermost_terms(const Tree& tree) {
@@ -35,7 +31,7 @@ std::vector<Term> outermost_terms(const Tree& tree) {
   for (const int child : root.children) {
     Term term;
     term.op = terms.empty() ? Op::Union : root.op;
-    collect_literals(tree, child, term.literals);
+    term.literals = literals_below(tree, child);
     terms.push_back(std::move(term));
   }
   return terms;

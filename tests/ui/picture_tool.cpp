@@ -52,11 +52,37 @@ Image shrunk_by(const Image& in, int by) {
   return out;
 }
 
+constexpr int kBlock = 8;
+constexpr int kVisible = 40;  // of 255, in one channel of one block
+
+/// The share of blocks that are seen to differ. Requires: equal sizes.
+double difference(const Image& a, const Image& b) {
+  int off = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); i += 3) {
+    int most = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      most = std::max(most, std::abs(a.rgb[i + c] - b.rgb[i + c]));
+    }
+    off += most > kVisible;
+  }
+  return 3.0 * off / static_cast<double>(a.rgb.size());
+}
+
+/// `picture_tool match A B`: two ways to draw the same. Lines may lie a pixel apart.
+int match(const std::string& first, const std::string& second) {
+  constexpr double kAllowed = 0.005;
+  Image a, b;
+  if (!read_png(first, a)) return fail("cannot read " + first);
+  if (!read_png(second, b)) return fail("cannot read " + second);
+  if (a.width != b.width || a.height != b.height) return fail("the pictures differ in size");
+  const double share = difference(shrunk_by(a, kBlock), shrunk_by(b, kBlock));
+  std::printf("%s, %s: %.2f %% differ\n", first.c_str(), second.c_str(), 100 * share);
+  return share <= kAllowed ? 0 : 1;
+}
+
 /// `picture_tool compare PICTURE REFERENCE`; the reference is 1/8 as large in each direction. With
 /// HEWN_UPDATE_REFERENCES set, writes the reference instead.
 int compare(const std::string& picture, const std::string& reference) {
-  constexpr int kBlock = 8;
-  constexpr int kVisible = 40;       // of 255, in one channel of one block
   constexpr double kAllowed = 0.04;  // share of blocks that may be off: texts and tessellations
   Image seen, wanted;
   if (!read_png(picture, seen)) return fail("cannot read " + picture);
@@ -68,15 +94,7 @@ int compare(const std::string& picture, const std::string& reference) {
   if (seen.width != wanted.width || seen.height != wanted.height) {
     return fail(picture + " has another size than its reference");
   }
-  int off = 0;
-  for (std::size_t i = 0; i < seen.rgb.size(); i += 3) {
-    int most = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      most = std::max(most, std::abs(seen.rgb[i + c] - wanted.rgb[i + c]));
-    }
-    off += most > kVisible;
-  }
-  const double share = 3.0 * off / static_cast<double>(seen.rgb.size());
+  const double share = difference(seen, wanted);
   std::printf("%s: %.2f %% of the picture differs\n", picture.c_str(), 100 * share);
   return share <= kAllowed ? 0 : 1;
 }
@@ -141,8 +159,9 @@ int fine_mesh(const std::string& in, const std::string& out, int pieces) {
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   if (words.size() == 3 && words[0] == "compare") return hewn::compare(words[1], words[2]);
+  if (words.size() == 3 && words[0] == "match") return hewn::match(words[1], words[2]);
   if (words.size() == 4 && words[0] == "fine-mesh") {
     return hewn::fine_mesh(words[1], words[2], std::atoi(words[3].c_str()));
   }
-  return hewn::fail("compare PICTURE REFERENCE | fine-mesh IN OUT PIECES");
+  return hewn::fail("compare PICTURE REFERENCE | match A B | fine-mesh IN OUT PIECES");
 }

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/core/session/session_fixture.h"
+#include "tests/ui/bench.h"
 #include "ui/panels/panels.h"
 #include "ui/tools/knife.h"
 #include "ui/view/look.h"
@@ -14,62 +14,7 @@ namespace {
 
 constexpr int kEnter = 257, kEscape = 256, kSpace = 32;
 
-/// A studio on the plate with a hole, without a screen.
-class Bench {
- public:
-  Bench() {
-    ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;
-    fonts_ = load_fonts(1);
-    session_.set_views(false);
-    studio_ = std::make_unique<Studio>(session_, engine_, fonts_, 1.0F);
-    studio_->open(folder_.plate());
-    session_.wait();
-    frames(2);
-  }
-  ~Bench() { ImGui::DestroyContext(); }
-  Bench(const Bench&) = delete;
-  Bench& operator=(const Bench&) = delete;
-
-  void frames(int count) {
-    for (int i = 0; i < count; ++i) {
-      ImGui::GetIO().DisplaySize = {1280, 720};
-      ImGui::GetIO().DeltaTime = 1.0F / 60;
-      ImGui::NewFrame();
-      studio_->frame(1280, 720);
-      ImGui::Render();
-    }
-  }
-  void click(float x, float y) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.MousePos = {x, y};
-    frames(2);
-    io.MouseDown[0] = true;
-    frames(2);
-    io.MouseDown[0] = false;
-    frames(2);
-  }
-  bool key(int key, int mods = 0) {
-    const bool done = studio_->key(key, mods, true);
-    studio_->key(key, mods, false);
-    frames(1);
-    return done;
-  }
-  int hole_group() const {
-    return find_groups(*session_.document().prepared, testing::hole(), "")->front();
-  }
-
-  Session& session() { return session_; }
-  StudioState& state() { return studio_->state(); }
-  Studio& studio() { return *studio_; }
-
- private:
-  testing::SessionFolder folder_{"ui"};
-  Session session_{testing::one_thread()};
-  NullEngine engine_;
-  Fonts fonts_;
-  std::unique_ptr<Studio> studio_;
-};
+using testing::Bench;
 
 TEST_CASE("every action has a key of its own, a help text and a title of its own") {
   std::set<std::pair<int, int>> keys;

@@ -1,36 +1,15 @@
 #include "ui/gl/gl_engine.h"
 
+#include <algorithm>
 #include <string>
 
 #include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/type_ptr.hpp>
 
 #include "ui/gl/shaders.h"
+#include "ui/gl/uniforms.h"
 
 namespace hewn {
 namespace {
-
-void set(const GlProgram& program, const char* name, const glm::mat4& m) {
-  glUniformMatrix4fv(glGetUniformLocation(program.get(), name), 1, GL_FALSE, glm::value_ptr(m));
-}
-void set(const GlProgram& program, const char* name, const glm::mat3& m) {
-  glUniformMatrix3fv(glGetUniformLocation(program.get(), name), 1, GL_FALSE, glm::value_ptr(m));
-}
-void set(const GlProgram& program, const char* name, const glm::vec4& v) {
-  glUniform4fv(glGetUniformLocation(program.get(), name), 1, glm::value_ptr(v));
-}
-void set(const GlProgram& program, const char* name, const glm::vec3& v) {
-  glUniform3fv(glGetUniformLocation(program.get(), name), 1, glm::value_ptr(v));
-}
-void set(const GlProgram& program, const char* name, const glm::vec2& v) {
-  glUniform2fv(glGetUniformLocation(program.get(), name), 1, glm::value_ptr(v));
-}
-void set(const GlProgram& program, const char* name, float v) {
-  glUniform1f(glGetUniformLocation(program.get(), name), v);
-}
-void set(const GlProgram& program, const char* name, bool v) {
-  glUniform1i(glGetUniformLocation(program.get(), name), v ? 1 : 0);
-}
 
 /// The plane in the coordinates of a mesh whose origin lies `shift` from the scene's.
 glm::vec4 shifted(const glm::vec4& plane, const glm::vec3& shift) {
@@ -152,18 +131,18 @@ void GlEngine::draw_faces(const Scene& scene, const SceneItem& item, int exact_p
   const bool has_fields = item.shows_deviation || scene.has_knife;
   const GlProgram& program = has_fields ? fields_ : faces_;
   glUseProgram(program.get());
-  set(program, "view_projection", matrix_for(scene, part));
-  set(program, "section", shifted(scene.section, shift));
-  set(program, "to_view", glm::mat3(scene.view));
-  set(program, "opacity", item.opacity);
-  set(program, "accent", scene.accent);
-  set(program, "cut_face", scene.cut_face);
+  Uniforms(program).set("view_projection", matrix_for(scene, part));
+  Uniforms(program).set("section", shifted(scene.section, shift));
+  Uniforms(program).set("to_view", glm::mat3(scene.view));
+  Uniforms(program).set("opacity", item.opacity);
+  Uniforms(program).set("accent", scene.accent);
+  Uniforms(program).set("cut_face", scene.cut_face);
   if (has_fields) {
-    set(program, "knife", shifted(scene.knife, shift));
-    set(program, "shows_deviation", item.shows_deviation);
-    glUniform1i(glGetUniformLocation(program.get(), "exact_pass"), exact_pass);
-    set(program, "deviation_scale", item.deviation_scale);
-    set(program, "has_knife", scene.has_knife);
+    Uniforms(program).set("knife", shifted(scene.knife, shift));
+    Uniforms(program).set("shows_deviation", item.shows_deviation);
+    Uniforms(program).set("exact_pass", exact_pass);
+    Uniforms(program).set("deviation_scale", item.deviation_scale);
+    Uniforms(program).set("has_knife", scene.has_knife);
   }
   part.bind_states();
   // Half of a closed solid is turned away and hidden by the rest.
@@ -176,15 +155,17 @@ void GlEngine::draw_faces(const Scene& scene, const SceneItem& item, int exact_p
   glDisable(GL_CULL_FACE);
 }
 
-void GlEngine::draw_lines(const Scene& scene, const SceneItem& item) const {
+void GlEngine::draw_lines(const Scene& scene, const SceneItem& item, bool is_exact) const {
   const GpuMesh& part = mesh(item.slot);
   glUseProgram(lines_.get());
-  set(lines_, "view_projection", matrix_for(scene, part));
-  set(lines_, "section", shifted(scene.section, shift_of(scene, part)));
+  Uniforms(lines_).set("view_projection", matrix_for(scene, part));
+  Uniforms(lines_).set("section", shifted(scene.section, shift_of(scene, part)));
   glm::vec4 plain = scene.line;
   plain.a *= item.opacity;
-  set(lines_, "plain", plain);
-  set(lines_, "selected", scene.selected_line);
+  Uniforms(lines_).set("plain", plain);
+  Uniforms(lines_).set("selected", scene.selected_line);
+  // Chords lie inside the round faces that they border on, by up to the tessellation's deflection.
+  Uniforms(lines_).set("nearer", is_exact ? 1e-3F * part.diagonal() : 0.0F);
   part.bind_states();
   part.draw_lines();
 }
@@ -195,10 +176,10 @@ void GlEngine::draw_wires(const Scene& scene, const SceneItem& item) const {
   glEnable(GL_POLYGON_OFFSET_LINE);
   glPolygonOffset(-1, -1);
   glUseProgram(sheets_.get());
-  set(sheets_, "view_projection", matrix_for(scene, part));
+  Uniforms(sheets_).set("view_projection", matrix_for(scene, part));
   glm::vec4 tint = scene.line;
   tint.a *= 0.5F;
-  set(sheets_, "tint", tint);
+  Uniforms(sheets_).set("tint", tint);
   part.draw_faces(scene.is_coarse);
   glDisable(GL_POLYGON_OFFSET_LINE);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
@@ -207,6 +188,7 @@ void GlEngine::draw_wires(const Scene& scene, const SceneItem& item) const {
 void GlEngine::draw_item(const Scene& scene, const SceneItem& item) const {
   if (mesh(item.slot).is_empty()) return;
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  const bool is_exact = item.is_exact && !tree_.is_empty();
   if (item.fades_exact) draw_faces(scene, item, 1);
   if (item.opacity < 1 || item.fades_exact) {
     glEnable(GL_BLEND);
@@ -214,19 +196,27 @@ void GlEngine::draw_item(const Scene& scene, const SceneItem& item) const {
     // A glassy mesh lies on the solid that it is compared with: it must win everywhere or nowhere.
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(-2, -2);
+  } else {
+    // Steep faces would cover the lines at their rims in places.
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1, 1);
   }
-  draw_faces(scene, item, item.fades_exact ? 2 : 0);
+  if (is_exact) {
+    tree_.draw({scene, width_, height_, mesh(item.slot).states()}, item.opacity);
+  } else {
+    draw_faces(scene, item, item.fades_exact ? 2 : 0);
+  }
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDepthMask(GL_TRUE);
   glEnable(GL_BLEND);
-  if (item.has_lines) draw_lines(scene, item);
+  if (item.has_lines) draw_lines(scene, item, is_exact);
   if (scene.is_wireframe) draw_wires(scene, item);
   glDisable(GL_BLEND);
 }
 
 void GlEngine::draw_sheets(const Scene& scene) const {
   glUseProgram(sheets_.get());
-  set(sheets_, "view_projection", scene.projection * scene.view);
+  Uniforms(sheets_).set("view_projection", scene.projection * scene.view);
   glBindVertexArray(sheet_array_.get());
   glDepthMask(GL_FALSE);
   for (const SceneSheet& sheet : scene.sheets) {
@@ -234,11 +224,11 @@ void GlEngine::draw_sheets(const Scene& scene) const {
                                sheet.corners[2]};
     glBindBuffer(GL_ARRAY_BUFFER, sheet_buffer_.get());
     glBufferData(GL_ARRAY_BUFFER, sizeof strip, strip, GL_STREAM_DRAW);
-    set(sheets_, "tint", sheet.tint);
+    Uniforms(sheets_).set("tint", sheet.tint);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     const glm::vec4 rim(glm::vec3(sheet.tint), 0.9F);
     glBufferData(GL_ARRAY_BUFFER, sizeof sheet.corners, sheet.corners, GL_STREAM_DRAW);
-    set(sheets_, "tint", rim);
+    Uniforms(sheets_).set("tint", rim);
     glDrawArrays(GL_LINE_LOOP, 0, 4);
   }
   glDepthMask(GL_TRUE);
@@ -247,8 +237,8 @@ void GlEngine::draw_sheets(const Scene& scene) const {
 void GlEngine::draw_backdrop(const Scene& scene) const {
   glDisable(GL_DEPTH_TEST);
   glUseProgram(backdrop_.get());
-  set(backdrop_, "top", scene.top);
-  set(backdrop_, "bottom", scene.bottom);
+  Uniforms(backdrop_).set("top", scene.top);
+  Uniforms(backdrop_).set("bottom", scene.bottom);
   glBindVertexArray(empty_array_.get());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -291,7 +281,10 @@ void GlEngine::draw(const Scene& scene, int width, int height, int samples) {
   }
   glBindVertexArray(0);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  if (is_software_) glFinish();  // the window wants to know what a picture costs
+  // The window wants to know what a picture costs.
+  const bool has_exact = std::any_of(scene.items.begin(), scene.items.end(),
+                                     [](const SceneItem& item) { return item.is_exact; });
+  if (is_software_ || has_exact) glFinish();
 }
 
 void GlEngine::compose(const Backing& backing, int width, int height) const {
@@ -326,13 +319,18 @@ void GlEngine::read_ids(const Scene& scene, int width, int height, IdImage& out)
   const GLuint none[4] = {0, 0, 0, 0};
   glClearBufferuiv(GL_COLOR, 0, none);
   glClear(GL_DEPTH_BUFFER_BIT);
-  if (!scene.items.empty() && !mesh(scene.items[0].slot).is_empty()) {
+  const bool has_item = !scene.items.empty() && !mesh(scene.items[0].slot).is_empty();
+  if (has_item && scene.items[0].is_exact && !tree_.is_empty()) {
+    glEnable(GL_DEPTH_TEST);
+    tree_.draw_ids({scene, width, height, mesh(scene.items[0].slot).states()});
+    glDisable(GL_DEPTH_TEST);
+  } else if (has_item) {
     const GpuMesh& part = mesh(scene.items[0].slot);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CLIP_DISTANCE0);
     glUseProgram(ids_.get());
-    set(ids_, "view_projection", matrix_for(scene, part));
-    set(ids_, "section", shifted(scene.section, shift_of(scene, part)));
+    Uniforms(ids_).set("view_projection", matrix_for(scene, part));
+    Uniforms(ids_).set("section", shifted(scene.section, shift_of(scene, part)));
     part.bind_states();
     part.draw_faces(false);
     glDisable(GL_CLIP_DISTANCE0);

@@ -1,9 +1,11 @@
 #pragma once
 /// Draws scenes with OpenGL 4.3.
 #include <array>
+#include <string>
 
 #include "core/base/result.h"
 #include "ui/gl/gpu_mesh.h"
+#include "ui/gl/gpu_tree.h"
 #include "ui/view/scene.h"
 
 namespace hewn {
@@ -15,6 +17,7 @@ class GlEngine : public RenderEngine {
   static Result<GlEngine> create();
 
   void show_mesh(MeshSlot slot, const DisplayMesh* mesh) override;
+  std::string show_tree(const TreeProgram* tree) override { return tree_.upload(tree); }
   void set_states(MeshSlot slot, std::span<const LabelState> states) override;
   void draw(const Scene& scene, int width, int height, int samples) override;
   void read_ids(const Scene& scene, int width, int height, IdImage& out) override;
@@ -32,11 +35,12 @@ class GlEngine : public RenderEngine {
   void draw_item(const Scene& scene, const SceneItem& item) const;
   /// `exact_pass`: as in shaders/mesh.frag.
   void draw_faces(const Scene& scene, const SceneItem& item, int exact_pass) const;
-  void draw_lines(const Scene& scene, const SceneItem& item) const;
+  void draw_lines(const Scene& scene, const SceneItem& item, bool is_exact) const;
   void draw_wires(const Scene& scene, const SceneItem& item) const;
   void draw_sheets(const Scene& scene) const;
 
   std::array<GpuMesh, kMeshSlots> meshes_;
+  GpuTree tree_;
   GlProgram faces_, fields_, lines_, ids_, sheets_, backdrop_;
   GlVertexArray empty_array_, sheet_array_;
   GlBuffer sheet_buffer_;

@@ -20,6 +20,7 @@ void GpuMesh::upload(const DisplayMesh& mesh) {
     state_texture_ = make_texture();
   }
   origin_ = mesh.origin;
+  diagonal_ = static_cast<float>(mesh.bounds.diagonal());
   is_closed_ = mesh.is_closed;
   indices_ = static_cast<GLsizei>(mesh.indices.size());
   coarse_ = static_cast<GLsizei>(mesh.coarse.size());

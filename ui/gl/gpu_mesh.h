@@ -19,6 +19,9 @@ class GpuMesh {
   /// Its triangles hide each other's backs.
   bool is_closed() const { return is_closed_; }
   const Vec3& origin() const { return origin_; }
+  float diagonal() const { return diagonal_; }
+  /// Texture of the labels' looks.
+  GLuint states() const { return state_texture_.get(); }
   /// Binds the labels' looks to texture unit 0.
   void bind_states() const;
   /// `is_coarse`: the rougher version, if there is one.
@@ -34,6 +37,7 @@ class GpuMesh {
   GLsizei lines_ = 0;
   bool is_closed_ = false;
   Vec3 origin_ = Vec3::Zero();
+  float diagonal_ = 0;
 };
 
 }  // namespace hewn

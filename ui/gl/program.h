@@ -50,8 +50,8 @@ GlTexture make_texture();
 GlFramebuffer make_framebuffer();
 GlRenderbuffer make_renderbuffer();
 
-/// `define`: a name that is defined in both sources; null: none. Fails with Internal: the driver's
-/// message.
+/// `define`: a name, and a value if need be, that is defined in both sources; null: none. Fails
+/// with Internal: the driver's message.
 Result<GlProgram> link_program(const char* vertex_source, const char* fragment_source,
                                const char* define = nullptr);
 

@@ -12,5 +12,7 @@ extern const char* const mesh_frag;
 extern const char* const mesh_vert;
 extern const char* const sheet_frag;
 extern const char* const sheet_vert;
+extern const char* const tree_frag;
+extern const char* const tree_vert;
 
 }  // namespace hewn::shaders

@@ -147,9 +147,12 @@ void draw_deviation_legend(Ui& ui, const PanelArea& view) {
   if (!shows_deviation(ui)) return;
   const auto result = ui.session.result_view();
   const glm::vec2 scale = deviation_scale(ui);
-  begin_card(ui, "legend", view.x + ui.px(12), view.y + view.height - ui.px(12), {0, 1});
+  // On narrow windows the card at the bottom's middle reaches as far as here.
+  const bool has_card = ui.state.tool == Tool::Knife || !ui.state.selected.empty();
+  const float bottom = view.y + view.height - ui.px(has_card ? 60 : 12);
+  begin_card(ui, "legend", view.x + ui.px(12), bottom, {0, 1});
   const float width = ui.px(220);
-  ImGui::TextUnformatted("Deviation of the mesh");
+  ImGui::TextUnformatted("Deviation of the mesh, model units");
   draw_histogram(ui, *result, scale, width);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   constexpr int kSteps = 55;
@@ -174,6 +177,24 @@ void draw_deviation_legend(Ui& ui, const PanelArea& view) {
     ui.state.tolerance_share = std::pow(10.0, exponent);
   }
   faint_text(ui, "grey: within " + short_number(ui.state.tolerance_share * diagonal));
+  ImGui::PopFont();
+  end_card();
+}
+
+void draw_exact_card(Ui& ui, const PanelArea& view) {
+  const ShowMode show = ui.state.is_comparing ? ShowMode::Input : ui.state.show;
+  const bool shows_result = show == ShowMode::Result || show == ShowMode::Overlay;
+  if (!shows_result || !ui.session.result_view()) return;
+  const ExactNow& now = ui.state.exact_now;
+  begin_card(ui, "exact", view.x + ui.px(12), view.y + view.height - ui.px(12), {0, 1});
+  ImGui::PushFont(ui.fonts.small);
+  const char* const modes[] = {"auto", "on", "off"};
+  ImGui::AlignTextToFramePadding();
+  faint_text(ui, exact_text(ui.state.exact, now.is_exact, now.cost, now.problem));
+  if (now.problem.empty()) {
+    ImGui::SameLine();
+    action_button(ui, "Exact result", modes[static_cast<int>(ui.state.exact)]);
+  }
   ImGui::PopFont();
   end_card();
 }
@@ -240,7 +261,8 @@ void draw_hints(Ui& ui, const PanelArea& view) {
   while (state.hint < kCount && kHints[state.hint].is_done(ui)) ++state.hint;
   if (state.hint >= kCount) state.shows_hints = false;
   if (!state.shows_hints || !ui.session.document().is_ready()) return;
-  begin_card(ui, "hint", view.x + view.width / 2, view.y + ui.px(12), {0.5F, 0});
+  const float top = view.y + ui.px(state.section_axis >= 0 ? 60 : 12);
+  begin_card(ui, "hint", view.x + view.width / 2, top, {0.5F, 0});
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(kHints[state.hint].text);
   ImGui::SameLine();

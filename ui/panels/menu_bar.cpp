@@ -48,7 +48,8 @@ void draw_menu_bar(Ui& ui) {
   ImGui::TextUnformatted(title.c_str());
   const std::string find = with_icon(ui, icon::kSearch, "Find a command   Ctrl+K");
   const float width = ImGui::CalcTextSize(find.c_str()).x + ui.px(24);
-  ImGui::SameLine(ImGui::GetWindowWidth() - width - ui.px(8));
+  // The bar begins its lines a frame's padding from the left, and the place counts from there.
+  ImGui::SameLine(ImGui::GetWindowWidth() - width - ui.px(16));
   ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.faint);
   if (ImGui::Button(find.c_str(), {width, 0})) action_named(ui, "Find a command").run(ui);
   ImGui::PopStyleColor();

@@ -13,7 +13,11 @@ struct PanelArea {
 
 void draw_menu_bar(Ui& ui);                                 ///< inside a window with a menu bar
 void draw_plan_panel(Ui& ui, const PanelArea& area);        ///< left: partitions, cuts, groups
+void draw_partitions(Ui& ui);                               ///< in it, the partitions
 void draw_result_panel(Ui& ui, const PanelArea& area);      ///< right: numbers, tree, Pareto
+void draw_outline(Ui& ui, const Tree& tree);                ///< the result's tree as rows
+void draw_graph(Ui& ui, const Tree& tree);                  ///< the same as nodes and lines
+void draw_pareto(Ui& ui);                                   ///< the trees found, as a plot
 void draw_status_bar(Ui& ui, const PanelArea& area);        ///< bottom: jobs, counts
 void draw_toolbar(Ui& ui, const PanelArea& area);           ///< above the part
 void draw_selection_card(Ui& ui, const PanelArea& view);    ///< floats over the part
@@ -21,6 +25,7 @@ void draw_knife_card(Ui& ui, const PanelArea& view);        ///< in its place wh
 void draw_gizmo(Ui& ui, const PanelArea& view);             ///< axes, lower right
 void draw_section_slider(Ui& ui, const PanelArea& view);    ///< while a section is shown
 void draw_deviation_legend(Ui& ui, const PanelArea& view);  ///< while deviations are shown
+void draw_exact_card(Ui& ui, const PanelArea& view);        ///< how the result is drawn
 void draw_notices(Ui& ui, const PanelArea& view);           ///< upper right of the part
 void draw_recovery(Ui& ui, const PanelArea& view);          ///< after a crash
 void draw_hints(Ui& ui, const PanelArea& view);             ///< first steps

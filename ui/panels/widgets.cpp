@@ -69,14 +69,14 @@ bool action_button(Ui& ui, const char* title, const char* label, float width) {
   return is_pressed;
 }
 
-bool toggle_button(const Ui& ui, const std::string& label, bool is_on) {
+bool toggle_button(const Ui& ui, const std::string& label, bool is_on, float width) {
   if (is_on) {
     ImVec4 fill = ui.theme.accent;
     fill.w = 0.28F;
     ImGui::PushStyleColor(ImGuiCol_Button, fill);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, fill);
   }
-  const bool is_pressed = ImGui::Button(label.c_str());
+  const bool is_pressed = ImGui::Button(label.c_str(), {width, 0});
   if (is_on) ImGui::PopStyleColor(2);
   return is_pressed;
 }

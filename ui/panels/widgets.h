@@ -32,7 +32,7 @@ void action_tip(const Action& action);
 bool action_button(Ui& ui, const char* title, const char* label = nullptr, float width = 0);
 
 /// A button of the toolbar that stays pressed while `is_on`.
-bool toggle_button(const Ui& ui, const std::string& label, bool is_on);
+bool toggle_button(const Ui& ui, const std::string& label, bool is_on, float width = 0);
 
 /// The icon and a space when icons are there; else nothing.
 std::string with_icon(const Ui& ui, const char* icon, const std::string& text);

@@ -1,6 +1,9 @@
 #include "ui/view/look.h"
 
 #include <algorithm>
+#include <set>
+
+#include "core/csg/tree_nodes.h"
 
 namespace hewn {
 namespace {
@@ -33,6 +36,16 @@ LabelState base_state(const Ui& ui, int group, const std::vector<int>& owner) {
       break;
   }
   return golden_state(group);
+}
+
+/// The literal, and those below the operation; -1: none.
+std::set<int> marked(const Tree& tree, int literal, int node) {
+  std::set<int> out;
+  if (literal >= 0) out.insert(literal);
+  if (node < 0 || static_cast<std::size_t>(node) >= tree.nodes.size()) return out;
+  const auto below = literals_below(tree, node);
+  out.insert(below.begin(), below.end());
+  return out;
 }
 
 /// A square in the plane, as large as the part.
@@ -72,13 +85,15 @@ void add_items(const Ui& ui, Scene& scene) {
   }
   if (show == ShowMode::Input || show == ShowMode::Difference || !has_surface) {
     // What a literal in the tree explains of the mesh.
-    if (view && ui.state.hovered_literal >= 0) input.slot = MeshSlot::Measured;
+    if (view && (ui.state.hovered_literal >= 0 || ui.state.hovered_node >= 0))
+      input.slot = MeshSlot::Measured;
     scene.items.push_back(input);
     return;
   }
   SceneItem surface;
   surface.slot = MeshSlot::Surface;
   surface.opacity = input.opacity;
+  surface.is_exact = view->program && ui.state.exact != ExactMode::Off && !ui.state.is_wireframe;
   scene.items.push_back(surface);
   if (show == ShowMode::Overlay) {
     input.opacity = 0.22F;
@@ -143,11 +158,13 @@ std::vector<LabelState> literal_states(const Ui& ui) {
   std::vector<LabelState> states;
   if (!shown) return states;
   const int count = static_cast<int>(shown->found.tree.literals.size());
-  const bool has_pick = ui.state.picked_literal >= 0 || ui.state.hovered_literal >= 0;
+  const auto picked = marked(shown->found.tree, ui.state.picked_literal, ui.state.picked_node);
+  const auto hovered = marked(shown->found.tree, ui.state.hovered_literal, ui.state.hovered_node);
+  const bool has_pick = !picked.empty() || !hovered.empty();
   for (int l = 0; l < count; ++l) {
     LabelState state = golden_state(l);
-    if (l == ui.state.picked_literal) state.flags |= kSelectedFlag;
-    if (l == ui.state.hovered_literal) state.flags |= kHoveredFlag;
+    if (picked.contains(l)) state.flags |= kSelectedFlag;
+    if (hovered.contains(l)) state.flags |= kHoveredFlag;
     if (has_pick && state.flags == 0) state.flags |= kFadedFlag;
     states.push_back(state);
   }

@@ -2,10 +2,12 @@
 /// What is to be seen, without a word of how it is drawn.
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
 
+#include "core/csg/tree_program.h"
 #include "core/session/display_mesh.h"
 
 namespace hewn {
@@ -31,6 +33,7 @@ struct SceneItem {
   MeshSlot slot = MeshSlot::Input;
   float opacity = 1;
   bool has_lines = true;
+  bool is_exact = false;  ///< by the rays of the tree that was shown instead of by triangles
   bool shows_deviation = false;
   bool fades_exact = false;         ///< glassy where the deviation is within the tolerance
   glm::vec2 deviation_scale{0, 1};  ///< tolerance and largest, model units
@@ -89,6 +92,9 @@ class RenderEngine {
   virtual ~RenderEngine() = default;
   /// Null: the slot becomes empty.
   virtual void show_mesh(MeshSlot slot, const DisplayMesh* mesh) = 0;
+  /// The tree behind `MeshSlot::Surface`, for exact pictures; null: none. Returns why it cannot be
+  /// drawn so; empty: it can.
+  virtual std::string show_tree(const TreeProgram* tree) = 0;
   /// One for each label of the slot's mesh.
   virtual void set_states(MeshSlot slot, std::span<const LabelState> states) = 0;
   /// Draws into a picture that the window puts in place. `samples`: 1 or 4 per pixel.
@@ -103,6 +109,7 @@ class RenderEngine {
 class NullEngine : public RenderEngine {
  public:
   void show_mesh(MeshSlot, const DisplayMesh*) override {}
+  std::string show_tree(const TreeProgram*) override { return {}; }
   void set_states(MeshSlot, std::span<const LabelState>) override {}
   void draw(const Scene&, int, int, int) override {}
   void read_ids(const Scene&, int width, int height, IdImage& out) override;

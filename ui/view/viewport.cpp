@@ -112,10 +112,15 @@ void Viewport::sync_meshes(Ui& ui) {
     result_ = result;
     engine_.show_mesh(MeshSlot::Surface, result ? &result->surface : nullptr);
     engine_.show_mesh(MeshSlot::Measured, result ? &result->input : nullptr);
+    tree_problem_ = engine_.show_tree(result ? result->program.get() : nullptr);
+    ui.state.exact_now = {};
+    ui.state.graph.wants_fit = true;
+    if (result)
+      ui.state.exact_now.problem = result->program ? tree_problem_ : result->program_problem;
     literal_states_.clear();
     has_ids_ = false;
     must_draw_ = true;
-    ui.state.hovered_literal = -1;
+    ui.state.hovered_literal = ui.state.hovered_node = ui.state.picked_node = -1;
     const auto shown = ui.session.shown_result();
     const int literals = shown ? static_cast<int>(shown->found.tree.literals.size()) : 0;
     if (ui.state.picked_literal >= literals) ui.state.picked_literal = -1;
@@ -159,7 +164,7 @@ bool Viewport::is_slow() const {
 }
 
 /// Slow engines draw roughly while things change and add what is missing when they stand still.
-void Viewport::draw_picture(const Ui& ui, const ViewArea& area) {
+void Viewport::draw_picture(Ui& ui, const ViewArea& area) {
   Scene scene = build_scene(ui, area);
   const auto now = Clock::now();
   must_draw_ |= !(scene == drawn_) || area.width != drawn_width_ || area.height != drawn_height_;
@@ -168,19 +173,61 @@ void Viewport::draw_picture(const Ui& ui, const ViewArea& area) {
   const bool can_wait = ui.session.is_busy() && detail_cost_ms_ > kBusyPicture_ms;
   is_rough_ = is_slow() && (!has_settled || can_wait);
   const int samples = is_rough_ ? 1 : 4;
-  if (!must_draw_ && (samples == drawn_samples_ || is_rough_)) return;
-  drawn_ = scene;
-  scene.is_coarse = is_rough_;
   const ImVec2 ratio = ImGui::GetIO().DisplayFramebufferScale;
+  const auto width = static_cast<int>(std::lround(area.width * ratio.x));
+  const auto height = static_cast<int>(std::lround(area.height * ratio.y));
+  const ExactSituation situation = exact_situation(ui, scene, has_settled);
+  const ExactCost& cost = ui.state.exact_now.cost;
+  if (needs_trial(ui.state.exact, situation, cost)) try_exact(ui, scene, width, height);
+  const bool is_exact = draws_exactly(ui.state.exact, situation, cost);
+  ExactSituation rest = exact_situation(ui, scene, true);
+  rest.is_rough = false;
+  waits_for_exact_ = !is_exact && (draws_exactly(ui.state.exact, rest, cost) ||
+                                   needs_trial(ui.state.exact, rest, cost));
+  const bool is_same = samples == drawn_samples_ && is_exact == draws_exactly_;
+  if (!must_draw_ && (is_same || is_rough_)) return;
+  drawn_ = scene;
+  draws_exactly_ = is_exact;
+  for (SceneItem& item : scene.items) item.is_exact &= is_exact;
+  scene.is_coarse = is_rough_;
   const auto start = Clock::now();
-  engine_.draw(scene, static_cast<int>(std::lround(area.width * ratio.x)),
-               static_cast<int>(std::lround(area.height * ratio.y)), samples);
+  engine_.draw(scene, width, height, samples);
   const std::chrono::duration<double, std::milli> took = Clock::now() - start;
+  learn_cost(ui, took.count());
   detail_cost_ms_ = is_rough_ ? std::max(detail_cost_ms_, took.count()) : took.count();
   drawn_samples_ = samples;
   drawn_width_ = area.width;
   drawn_height_ = area.height;
   must_draw_ = false;
+}
+
+ExactSituation Viewport::exact_situation(const Ui& ui, const Scene& scene, bool has_settled) const {
+  const bool is_wanted = std::any_of(scene.items.begin(), scene.items.end(),
+                                     [](const SceneItem& item) { return item.is_exact; });
+  ExactSituation situation;
+  situation.is_possible = is_wanted && tree_problem_.empty();
+  situation.is_hurried = !has_settled || ui.session.is_busy();
+  situation.is_rough = is_rough_;
+  return situation;
+}
+
+/// The second of two small pictures tells what a large one costs; the first makes the driver ready.
+void Viewport::try_exact(Ui& ui, const Scene& scene, int width, int height) {
+  constexpr int kSmaller = 4;
+  Clock::time_point start;
+  for (int i = 0; i < 2; ++i) {
+    start = Clock::now();
+    engine_.draw(scene, std::max(width / kSmaller, 1), std::max(height / kSmaller, 1), 1);
+  }
+  const std::chrono::duration<double, std::milli> took = Clock::now() - start;
+  ui.state.exact_now.cost.rough_ms = took.count() * kSmaller * kSmaller;
+  must_draw_ = true;  // over the small one
+}
+
+void Viewport::learn_cost(Ui& ui, double took_ms) {
+  ExactNow& now = ui.state.exact_now;
+  now.is_exact = draws_exactly_;
+  if (draws_exactly_) (is_rough_ ? now.cost.rough_ms : now.cost.full_ms) = took_ms;
 }
 
 bool Viewport::has_ids(const Scene& scene) const {
@@ -189,7 +236,9 @@ bool Viewport::has_ids(const Scene& scene) const {
 
 const IdImage& Viewport::ids(const Scene& scene, const ViewArea& area) {
   if (!has_ids(scene)) {
-    engine_.read_ids(scene, static_cast<int>(area.width), static_cast<int>(area.height), ids_);
+    Scene seen = scene;
+    for (SceneItem& item : seen.items) item.is_exact &= draws_exactly_;
+    engine_.read_ids(seen, static_cast<int>(area.width), static_cast<int>(area.height), ids_);
     ids_scene_ = geometry_of(scene);
     has_ids_ = true;
   }
@@ -267,7 +316,7 @@ void Viewport::hover(Ui& ui, const ViewArea& area, bool is_hovered) {
   int label = -1;
   const ImGuiIO& io = ImGui::GetIO();
   // A literal that a list points at recolours the mesh; over the part itself the groups count.
-  if (is_hovered) ui.state.hovered_literal = -1;
+  if (is_hovered) ui.state.hovered_literal = ui.state.hovered_node = -1;
   const Scene scene = build_scene(ui, area);
   if (is_hovered && ui.session.document().is_ready()) {
     // While a slow picture changes, what is under the mouse can wait, unless it is clicked.
@@ -286,9 +335,10 @@ void Viewport::click(Ui& ui) {
     select_groups(ui, {ui.state.hovered}, combination());
   } else if (ui.state.hovered_literal >= 0) {
     ui.state.picked_literal = ui.state.hovered_literal;
+    ui.state.picked_node = -1;
   } else if (combination() == Combine::Replace) {
     ui.state.selected.clear();
-    ui.state.picked_literal = -1;
+    ui.state.picked_literal = ui.state.picked_node = -1;
   }
 }
 

@@ -20,7 +20,7 @@ class Viewport {
   /// Whether a drag that moves the camera is going on.
   bool is_moving() const { return drag_ == Drag::Orbit || drag_ == Drag::Pan; }
   /// Whether the picture is rough for now: drawn again a moment later, it gets its details.
-  bool wants_detail() const { return is_rough_; }
+  bool wants_detail() const { return is_rough_ || waits_for_exact_; }
 
  private:
   enum class Drag { None, Pick, Box, Lasso, Orbit, Pan, Knife, Handle };
@@ -37,7 +37,10 @@ class Viewport {
   void select_lasso(Ui& ui, const ViewArea& area);
   void place_knife(Ui& ui, const ViewArea& area);
   void draw_rubber_band(const Ui& ui) const;
-  void draw_picture(const Ui& ui, const ViewArea& area);
+  void draw_picture(Ui& ui, const ViewArea& area);
+  ExactSituation exact_situation(const Ui& ui, const Scene& scene, bool has_settled) const;
+  void try_exact(Ui& ui, const Scene& scene, int width, int height);
+  void learn_cost(Ui& ui, double took_ms);
   bool is_slow() const;
   bool has_ids(const Scene& scene) const;
   const IdImage& ids(const Scene& scene, const ViewArea& area);
@@ -47,6 +50,9 @@ class Viewport {
   std::shared_ptr<const ResultView> result_;
   std::vector<LabelState> states_, literal_states_;
   using Clock = std::chrono::steady_clock;
+  std::string tree_problem_;  ///< why the engine cannot draw the tree exactly
+  bool draws_exactly_ = false;
+  bool waits_for_exact_ = false;  ///< triangles for now
   Scene drawn_;
   bool must_draw_ = true;
   int drawn_samples_ = 0;

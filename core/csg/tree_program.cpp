@@ -1,0 +1,144 @@
+#include "core/csg/tree_program.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace hewn {
+namespace {
+
+ProgramLiteral encode_literal(const Literal& s, const Vec3& origin) {
+  // local = inverse (rotation^T x - s.origin), with x = y + origin.
+  Mat3 map = s.rotation.transpose();
+  Vec3 offset = map * origin - s.origin;
+  if (s.stretch) {
+    map = s.stretch->inverse * map;
+    offset = s.stretch->inverse * offset;
+  }
+  ProgramLiteral out;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      out.to_local[4 * row + column] = static_cast<float>(map(row, column));
+    }
+    out.to_local[4 * row + 3] = static_cast<float>(offset[row]);
+  }
+  Vec3 shape = Vec3::Zero();
+  switch (s.kind) {
+    case SolidKind::Box:
+      shape = s.size;
+      break;
+    case SolidKind::Cylinder:
+      shape = Vec3(s.radius, s.top_radius, s.height);
+      break;
+    case SolidKind::Prism:
+      shape = Vec3(s.radius, s.height, s.sides);
+      break;
+    case SolidKind::Sphere:
+      shape = Vec3(s.radius, 0, 0);
+      break;
+    case SolidKind::Torus:
+      shape = Vec3(s.major_radius, s.radius, 0);
+      break;
+    case SolidKind::Polyhedron:
+      break;
+  }
+  out.shape[0] = static_cast<float>(s.kind);
+  for (int k = 0; k < 3; ++k) out.shape[k + 1] = static_cast<float>(shape[k]);
+  return out;
+}
+
+/// Lays the steps out from the last to the first, so that where to go is known when a step is made.
+/// Steps are numbered by their distance from the end, and turned round when all are there.
+class Compiler {
+ public:
+  explicit Compiler(const Tree& tree) : tree_(tree) {}
+
+  TreeProgram run() {
+    TreeProgram out;
+    out.start = below(tree_.root, TreeProgram::kSolid, TreeProgram::kEmpty);
+    const auto last = static_cast<std::uint32_t>(steps_.size()) - 1;
+    const auto turned = [last](std::uint32_t at) {
+      return at == TreeProgram::kSolid || at == TreeProgram::kEmpty ? at : last - at;
+    };
+    out.start = turned(out.start);
+    for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
+      out.steps.push_back({step->literal, turned(step->inside), turned(step->outside), 0});
+    }
+    return out;
+  }
+
+ private:
+  /// The first step of a node that goes on to `yes` where a point is inside, else to `no`.
+  std::uint32_t below(int index, std::uint32_t yes, std::uint32_t no) {
+    const Node& node = tree_.nodes[index];
+    const auto& children = node.children;
+    if (node.op == Op::Literal) {
+      steps_.push_back({static_cast<std::uint32_t>(node.literal), yes, no, 0});
+      return static_cast<std::uint32_t>(steps_.size()) - 1;
+    }
+    if (node.op == Op::Complement) return children.empty() ? yes : below(children[0], no, yes);
+    if (children.empty()) return no;
+    std::uint32_t next = node.op == Op::Union ? no : yes;
+    for (std::size_t i = children.size(); i-- > 0;) {
+      if (node.op == Op::Union) {
+        next = below(children[i], yes, next);
+      } else if (node.op == Op::Intersection || i == 0) {
+        next = below(children[i], next, no);
+      } else {
+        next = below(children[i], no, next);
+      }
+    }
+    return next;
+  }
+
+  const Tree& tree_;
+  std::vector<ProgramStep> steps_;
+};
+
+/// Why a tree cannot be a program; empty: it can.
+std::string obstacle(const Tree& tree) {
+  if (tree.is_empty()) return "the tree is empty";
+  int stretches = 0;
+  for (const Literal& s : tree.literals) {
+    if (s.kind == SolidKind::Polyhedron) return "it holds a polyhedron";
+    if (s.kind == SolidKind::Prism && s.sides > kMostProgramSides) {
+      return fmt::format("a prism has {} sides, more than {}", s.sides, kMostProgramSides);
+    }
+    stretches += s.kind == SolidKind::Torus ? 2 : 1;
+  }
+  if (stretches > kMostStretches) {
+    return fmt::format("it has {} literals, more than {}", tree.literals.size(), kMostStretches);
+  }
+  return {};
+}
+
+}  // namespace
+
+bool TreeProgram::answer(const std::vector<bool>& is_inside) const {
+  std::uint32_t at = start;
+  while (at < steps.size()) {
+    at = is_inside[steps[at].literal] ? steps[at].inside : steps[at].outside;
+  }
+  return at == kSolid;
+}
+
+Result<TreeProgram> encode_tree(const Tree& tree) {
+  if (const std::string why = obstacle(tree); !why.empty()) {
+    return Error{ErrorCode::InvalidArgument, why};
+  }
+  const Box3 bounds = tree.bounds();
+  if (bounds.is_empty()) return Error{ErrorCode::InvalidArgument, "the solid is empty"};
+  if (!bounds.lo.allFinite() || !bounds.hi.allFinite()) {
+    return Error{ErrorCode::InvalidArgument, "the solid is unbounded"};
+  }
+  TreeProgram out = Compiler(tree).run();
+  out.bounds = bounds;
+  out.origin = bounds.center();
+  for (const Literal& literal : tree.literals) {
+    out.literals.push_back(encode_literal(literal, out.origin));
+    out.stretches += literal.kind == SolidKind::Torus ? 2 : 1;
+  }
+  return out;
+}
+
+}  // namespace hewn

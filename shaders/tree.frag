@@ -1,0 +1,157 @@
+#version 430 core
+// The solid of a tree, ray by ray: the ray's stretches inside every literal are cut by the tree's
+// Boolean operations (Roth 1982). With HAS_IDS: which literal is where, for picking.
+// Coordinates are those of the program: less its origin.
+in vec2 screen;
+
+uniform mat4 view;       // rigid, from the scene's coordinates
+uniform mat4 projection;
+uniform vec3 shift;      // of the program's origin from the scene's
+uniform vec3 box_lo;     // around the solid
+uniform vec3 box_hi;
+uniform vec4 section;    // as in mesh.vert
+uniform float same;      // crossings nearer to each other than this are one
+uniform float pixel;     // model units, at the distance 1 or, in parallel views, at all
+uniform usamplerBuffer steps;  // literal, next when inside, next when outside
+uniform uint start;
+uniform usamplerBuffer states;
+
+#ifdef HAS_IDS
+layout(location = 0) out uint id;
+#else
+uniform float opacity;
+uniform vec3 cut_face;  // linear RGB
+uniform vec3 accent;    // linear RGB
+layout(location = 0) out vec4 colour;
+#include "light.glsl"
+#include "looks.glsl"
+#endif
+
+#include "tree_solids.glsl"
+
+const uint kSolid = 0xFFFFFFFEu;
+
+uint inside[(STRETCHES + 31) / 32];  // a bit for each literal
+
+void look_at(float t) {
+  for (int w = 0; w < inside.length(); ++w) inside[w] = 0u;
+  for (int s = 0; s < stretches; ++s) {
+    if (enter[s] <= t && leave[s] > t) inside[owner[s] >> 5] |= 1u << (owner[s] & 31);
+  }
+}
+bool is_solid() {
+  uint at = start;
+  while (at < kSolid) {
+    uvec4 step = texelFetch(steps, int(at));
+    bool is_in = (inside[step.x >> 5] >> (step.x & 31u) & 1u) != 0u;
+    at = is_in ? step.y : step.z;
+  }
+  return at == kSolid;
+}
+
+// The literal without whose crossing the solid would not begin at `hit`; of coincident faces the
+// first. Requires: the state just behind; a stretch.
+int literal_at(float hit) {
+  int first = -1;
+  for (int s = 0; s < stretches; ++s) {
+    bool is_near = abs(enter[s] - hit) <= same || abs(leave[s] - hit) <= same;
+    if (!is_near) continue;
+    if (first < 0) first = owner[s];
+    uint bit = 1u << (owner[s] & 31);
+    inside[owner[s] >> 5] ^= bit;
+    bool matters = !is_solid();
+    inside[owner[s] >> 5] ^= bit;
+    if (matters) return owner[s];
+  }
+  return max(first, 0);
+}
+
+struct Ray {
+  vec3 origin, direction;
+};
+
+Ray ray_here() {
+  mat3 to_scene = transpose(mat3(view));
+  vec3 eye = -(to_scene * view[3].xyz) - shift;
+  vec2 at = screen / vec2(projection[0][0], projection[1][1]);
+  if (projection[3][3] == 0.0) return Ray(eye, normalize(to_scene * vec3(at, -1.0)));
+  return Ray(eye + to_scene * vec3(at, 0.0), to_scene * vec3(0.0, 0.0, -1.0));
+}
+
+// Where the part of the ray begins that can be seen; `is_open`: on the section, or at the eye.
+vec2 visible(Ray ray, out bool is_open) {
+  vec2 t = slab(ray.origin.x, ray.direction.x, box_lo.x, box_hi.x);
+  t = both(t, slab(ray.origin.y, ray.direction.y, box_lo.y, box_hi.y));
+  t = both(t, slab(ray.origin.z, ray.direction.z, box_lo.z, box_hi.z));
+  vec2 kept = vec2(projection[3][3] == 0.0 ? 0.0 : -kFar, kFar);
+  if (section.xyz != vec3(0.0)) {
+    float o = dot(section.xyz, ray.origin);
+    kept = both(kept, below(o, dot(section.xyz, ray.direction), section.w));
+  }
+  is_open = kept.x > t.x;
+  return both(t, kept);
+}
+
+// The first crossing behind which the solid lies; kFar: none.
+float first_hit(float t, float end) {
+  for (int i = 0; i < 2 * STRETCHES; ++i) {
+    float next = kFar;
+    for (int s = 0; s < stretches; ++s) {
+      if (enter[s] > t) next = min(next, enter[s]);
+      if (leave[s] > t) next = min(next, leave[s]);
+    }
+    if (next >= end) return kFar;
+    t = next + same;
+    look_at(t);
+    if (is_solid()) return next;
+  }
+  return kFar;
+}
+
+// Steep faces are moved back, as triangles are by their polygon offset, so that lines at their rims
+// stay in front.
+void set_depth(Ray ray, float t, vec3 n, float from_eye) {
+  float cosine = max(abs(dot(n, ray.direction)), 1e-3);
+  float pixel_here = projection[3][3] == 0.0 ? pixel * from_eye : pixel;
+  t += pixel_here * min(sqrt(1.0 - cosine * cosine) / cosine, 4.0);
+  vec4 clip = projection * (view * vec4(ray.origin + t * ray.direction + shift, 1.0));
+  gl_FragDepth = clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0);
+}
+
+void main() {
+  Ray ray = ray_here();
+  bool is_open;
+  vec2 range = visible(ray, is_open);
+  if (range.x >= range.y) discard;
+  // Single precision is spent on the part itself, not on the way there.
+  float way = range.x;
+  ray.origin += way * ray.direction;
+  float end = range.y - way;
+  for (int l = 0; l < literal_count; ++l) add_literal(l, ray.origin, ray.direction);
+  if (stretches == 0) discard;
+  look_at(0.0);
+  bool is_cut = is_open && is_solid();
+  float hit = is_cut ? 0.0 : first_hit(0.0, end);
+  if (hit >= kFar) discard;
+  vec3 n = section.xyz == vec3(0.0) ? -ray.direction : section.xyz;
+  int label = -1;
+  if (!is_cut) {
+    label = literal_at(hit);
+    Solid s = solid_at(label);
+    vec3 local = local_normal(s, to_local(s, ray.origin + hit * ray.direction));
+    n = normalize(local.x * s.row[0].xyz + local.y * s.row[1].xyz + local.z * s.row[2].xyz);
+    if (dot(n, ray.direction) > 0.0) n = -n;
+  }
+  set_depth(ray, hit, n, way + hit);
+#ifdef HAS_IDS
+  id = uint(label + 1);
+#else
+  vec3 seen = mat3(view) * n;
+  vec3 c = cut_face;
+  if (!is_cut) {
+    uvec4 state = texelFetch(states, label);
+    c = lit(with_flags(to_linear(vec3(state.rgb) / 255.0), state.a), seen);
+  }
+  colour = vec4(to_srgb(c), opacity);
+#endif
+}
