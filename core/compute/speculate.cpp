@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/compute/arena.h"
+#include "core/compute/parallel.h"
 
 namespace hewn {
 namespace {
@@ -16,9 +17,7 @@ constexpr std::size_t kWidest = 8;
 }  // namespace
 
 std::size_t speculation_width(int threads) {
-  const auto cores = static_cast<std::size_t>(tbb::info::default_concurrency());
-  const std::size_t wanted = threads <= 0 ? cores : static_cast<std::size_t>(threads);
-  return std::clamp<std::size_t>(std::min(wanted, cores), 1, kWidest);
+  return std::min(static_cast<std::size_t>(worker_count(threads)), kWidest);
 }
 
 std::size_t first_success(int threads, std::size_t n,
