@@ -21,6 +21,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(480, 16384));
   app.add_option("--threads", options.threads, "worker threads; 0: one per core")
       ->check(CLI::Range(0, 1024));
+  std::string device = "auto";
+  app.add_option("--device", device, "auto, cpu, cuda or cuda:INDEX; never changes a result");
   app.add_flag("--no-live", is_manual, "reconstruct only when asked to");
   app.add_flag("--frame-stats", options.has_frame_stats, "print frame times as JSON at the end");
   try {
@@ -29,6 +31,12 @@ int main(int argc, char** argv) {
     return app.exit(problem) == 0 ? 0 : 2;
   }
   options.is_live = !is_manual;
+  const auto choice = hewn::DeviceChoice::parse(device);
+  if (!choice) {
+    std::fprintf(stderr, "hewn-studio: --device: %s\n", choice.error().message.c_str());
+    return 2;
+  }
+  options.device = *choice;
   try {
     const auto done = hewn::run_window(options);
     if (done) return 0;

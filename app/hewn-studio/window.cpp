@@ -24,6 +24,7 @@
 #include "core/base/file.h"
 #include "core/io/picture.h"
 #include "core/session/recovery.h"
+#include "gpu/cuda_device.h"
 #include "ui/gl/gl_engine.h"
 #include "ui/studio.h"
 
@@ -143,6 +144,7 @@ class Window {
   static RunContext context(const WindowOptions& options) {
     RunContext run;
     run.threads = options.threads;
+    run.compute = std::make_shared<Compute>(options.threads, options.device, open_cuda_device);
     return run;
   }
   static Window& self(GLFWwindow* window) {

@@ -5,6 +5,7 @@
 
 #include "app/hewn-studio/frame_stats.h"
 #include "core/base/result.h"
+#include "core/compute/compute.h"
 #include "core/session/session.h"
 
 namespace hewn {
@@ -16,6 +17,7 @@ struct WindowOptions {
   std::filesystem::path status;    ///< the window's state goes here as it changes; empty: nowhere
   int width = 1280, height = 800;
   int threads = 0;
+  DeviceChoice device;  ///< where the plan leaves it open
   bool has_frame_stats = false;
   bool is_live = true;
 };

@@ -20,12 +20,26 @@ const OptionRef& find_option(const std::vector<OptionSection>& sections, std::st
 
 }  // namespace
 
+void add_device_flag(CLI::App& app, std::optional<DeviceChoice>& device) {
+  const auto take = [&device](const std::string& text) {
+    const Result<DeviceChoice> choice = DeviceChoice::parse(text);
+    if (!choice) throw CLI::ValidationError("--device", choice.error().message);
+    device = *choice;
+  };
+  app.add_option_function<std::string>(
+         "--device", take,
+         fmt::format("auto, cpu, cuda or cuda:INDEX; never changes the result; {}",
+                     option_table<DeviceOptions>()[0].help))
+      ->type_name("");
+}
+
 void add_run_flags(CLI::App& app, RunFlags& flags) {
   app.add_option("--seed", flags.seed, "seed of all random choices (1)");
   app.add_option("--threads", flags.threads,
                  "worker threads; 0: one per core; never changes "
                  "the result")
       ->check(CLI::Range(0, 1024));
+  add_device_flag(app, flags.device);
   app.add_option("--time-limit", flags.time_limit_s,
                  "seconds after which searches return what they have; results then depend on the "
                  "machine's speed")
@@ -70,6 +84,9 @@ Result<Project> project_for(const std::filesystem::path& input, const RunFlags& 
     project.mesh = input;
   }
   if (run.seed) project.seed = *run.seed;
+  if (run.device) {
+    project.settings.device = {static_cast<int>(run.device->kind), run.device->index};
+  }
   const std::vector<OptionSection> sections = bind_settings(project.settings);
   for (const SettingFlags::Given& given : settings.given) {
     const Result<void> set =

@@ -17,6 +17,7 @@ namespace hewn {
 struct RunFlags {
   std::optional<std::uint64_t> seed;
   int threads = 0;
+  std::optional<DeviceChoice> device;
   double time_limit_s = 0;  ///< 0: none
   bool is_quiet = false;
 };
@@ -29,7 +30,10 @@ struct SettingFlags {
   std::vector<Given> given;
 };
 
-/// Adds --seed, --threads, --time-limit and --quiet.
+/// Adds --device.
+void add_device_flag(CLI::App& app, std::optional<DeviceChoice>& device);
+
+/// Adds --seed, --threads, --device, --time-limit and --quiet.
 void add_run_flags(CLI::App& app, RunFlags& flags);
 
 /// Adds `--SECTION-OPTION` for every option of the named sections.

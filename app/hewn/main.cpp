@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "app/hewn/commands.h"
+#include "core/compute/compute.h"
+#include "gpu/cuda_device.h"
 
 namespace hewn {
 namespace {
@@ -23,6 +25,9 @@ void wire(Environment& environment) {
     console->progress(stage, share);
   };
   environment.run.on_log = [console](const LogEntry& entry) { console->log(entry); };
+  environment.run.compute = std::make_shared<Compute>(
+      flags.threads, flags.device.value_or(DeviceChoice{}), open_cuda_device);
+  environment.run.compute->prepare(environment.run);
   if (flags.time_limit_s > 0) {
     const std::chrono::duration<double> limit(flags.time_limit_s);
     environment.run.deadline =

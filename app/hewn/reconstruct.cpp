@@ -104,7 +104,8 @@ void add_reconstruct(CLI::App& app, RunFlags& run_flags, Command& chosen) {
                    "true: circles are true circles; match: with the mesh's own sides and phase")
       ->check(CLI::IsMember({"true", "match"}));
   add_run_flags(*command, run_flags);
-  add_setting_flags(*command, {"load", "segment", "curvature", "regularise", "tree", "verify"},
+  add_setting_flags(*command,
+                    {"load", "segment", "curvature", "regularise", "tree", "verify", "device"},
                     flags->settings);
   command->callback([&chosen, flags] {
     chosen = [flags](Environment& environment) { return run_reconstruct(*flags, environment); };

@@ -28,6 +28,7 @@ void add_replay(CLI::App& app, RunFlags& run_flags, Command& chosen) {
       ->add_option("--threads", run_flags.threads,
                    "worker threads; 0: one per core; never changes the result")
       ->check(CLI::Range(0, 1024));
+  add_device_flag(*command, run_flags.device);
   command->add_flag("-q,--quiet", run_flags.is_quiet, "no progress and no warnings");
   command->callback([&chosen, log] {
     chosen = [log](Environment& environment) { return run_replay(*log, environment); };

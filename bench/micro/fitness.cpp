@@ -1,5 +1,5 @@
-/// Full fitness evaluations of the genetic search: bits, size and proximity of 256 random trees of
-/// 31 nodes over 64 columns.
+/// Full fitness evaluations of the genetic search, a generation at a time: bits, size and proximity
+/// of 256 random trees of 31 nodes over 64 columns.
 #include "core/synth/evolve/fitness.h"
 
 #include <vector>
@@ -38,18 +38,19 @@ void fitness(benchmark::State& state) {
   }
   const Column wanted = columns[0];
   const CellColumns cells(points, std::move(columns));
-  const FitnessTable table(cells, wanted, cells.all());
+  RunContext run;
+  run.threads = static_cast<int>(state.range(1));
+  FitnessTable table(cells, wanted, cells.all(), run);
   std::vector<Genome> trees(kTrees);
-  for (Genome& tree : trees) append_random(tree, rng, kLeaves);
-  FitnessScratch scratch;
-  std::size_t next = 0;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(table.measure(trees[next], scratch));
-    next = (next + 1) % kTrees;
+  std::vector<const Genome*> generation;
+  for (Genome& tree : trees) {
+    append_random(tree, rng, kLeaves);
+    generation.push_back(&tree);
   }
-  state.SetItemsProcessed(state.iterations());
+  for (auto _ : state) benchmark::DoNotOptimize(table.measure(generation, run));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kTrees));
 }
-BENCHMARK(fitness)->Arg(4096)->Arg(65536);
+BENCHMARK(fitness)->ArgNames({"points", "threads"})->ArgsProduct({{4096, 65536}, {1, 2}});
 
 }  // namespace
 }  // namespace hewn::bench

@@ -21,6 +21,8 @@ enum class Severity { Info, Warning, Error };
 struct LogEntry {
   Severity severity;
   std::string message;
+  /// Tells of the machine, not of the work: no part of reports, which are the same on every one.
+  bool is_about_machine = false;
 };
 
 /// Receives messages; core code never prints. Thread-safe.

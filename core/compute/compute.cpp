@@ -3,6 +3,13 @@
 #include <charconv>
 
 namespace hewn {
+namespace {
+
+void tell(const RunContext& context, Severity severity, std::string message) {
+  if (context.on_log) context.on_log({severity, std::move(message), true});
+}
+
+}  // namespace
 
 Result<DeviceChoice> DeviceChoice::parse(std::string_view text) {
   if (text == "auto") return DeviceChoice{Kind::Auto, 0};
@@ -23,21 +30,39 @@ Result<DeviceChoice> DeviceChoice::parse(std::string_view text) {
 }
 
 Compute::Compute(int threads, DeviceChoice choice, OpenDevice open)
-    : cpu_(threads), choice_(choice), open_(std::move(open)) {}
+    : cpu_(threads), open_(std::move(open)), usual_(choice), choice_(choice) {}
+
+void Compute::choose(DeviceChoice choice) {
+  if (choice.kind == DeviceChoice::Kind::Auto) choice = usual_;
+  const std::lock_guard lock(mutex_);
+  if (choice == choice_) return;
+  const bool is_other_device = choice.index != choice_.index;
+  choice_ = choice;
+  is_told_ = false;
+  if (is_well_ && !is_other_device) return;
+  if (device_) retired_.push_back(std::move(device_));
+  is_asked_for_ = false;
+  is_well_ = false;
+}
 
 Result<void> Compute::run(double cpu_seconds, const RunContext& context, const Job& job) {
   if (Device* device = accelerator(cpu_seconds, context)) {
     const Result<void> done = job(*device);
     const bool is_its_fault = !done && (done.error().code == ErrorCode::Device ||
                                         done.error().code == ErrorCode::OutOfMemory);
-    if (!is_its_fault) return done;
+    if (!is_its_fault) {
+      const std::lock_guard lock(mutex_);
+      ++accelerated_jobs_;
+      return done;
+    }
     fall_back(done.error(), context);
   }
   return job(cpu_);
 }
 
 void Compute::prepare(const RunContext& context) {
-  if (choice_.kind == DeviceChoice::Kind::Cuda) accelerator(0, context);
+  // No job is as short as this: only a demand opens the device.
+  accelerator(0, context);
 }
 
 std::string Compute::device_name() const {
@@ -45,12 +70,17 @@ std::string Compute::device_name() const {
   return is_well_ ? device_->info().name : cpu_.info().name;
 }
 
+long Compute::accelerated_jobs() const {
+  const std::lock_guard lock(mutex_);
+  return accelerated_jobs_;
+}
+
 Device* Compute::accelerator(double cpu_seconds, const RunContext& context) {
+  const std::lock_guard lock(mutex_);
   const bool is_demanded = choice_.kind == DeviceChoice::Kind::Cuda;
   const bool is_wanted =
       is_demanded || (choice_.kind == DeviceChoice::Kind::Auto && cpu_seconds >= kLeastSeconds);
   if (!is_wanted) return nullptr;
-  const std::lock_guard lock(mutex_);
   if (!is_asked_for_) {
     is_asked_for_ = true;
     auto opened = open_ ? open_(choice_.index)
@@ -58,9 +88,9 @@ Device* Compute::accelerator(double cpu_seconds, const RunContext& context) {
     if (opened) {
       device_ = std::move(*opened);
       is_well_ = true;
-      context.info("using " + device_->info().name);
+      tell(context, Severity::Info, "using " + device_->info().name);
     } else if (is_demanded) {
-      context.warn(opened.error().message + "; the processor does the work");
+      tell(context, Severity::Warning, opened.error().message + "; the processor does the work");
     }
   }
   return is_well_ ? device_.get() : nullptr;
@@ -72,7 +102,8 @@ void Compute::fall_back(const Error& reason, const RunContext& context) {
     if (reason.code == ErrorCode::Device) is_well_ = false;
     if (std::exchange(is_told_, true)) return;
   }
-  context.warn(reason.where + ": " + reason.message + "; the processor goes on with the work");
+  tell(context, Severity::Warning,
+       reason.where + ": " + reason.message + "; the processor goes on with the work");
 }
 
 std::shared_ptr<Compute> compute_of(const RunContext& run) {

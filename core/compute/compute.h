@@ -5,6 +5,7 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/run_context.h"
 #include "core/compute/cpu_device.h"
@@ -21,6 +22,7 @@ struct DeviceChoice {
   Kind kind = Kind::Auto;
   int index = 0;  ///< of the CUDA device
 
+  bool operator==(const DeviceChoice&) const = default;
   /// From "auto", "cpu", "cuda" or "cuda:2". Fails with: InvalidArgument.
   static Result<DeviceChoice> parse(std::string_view text);
 };
@@ -41,6 +43,10 @@ class Compute {
   explicit Compute(int threads) : Compute(threads, {DeviceChoice::Kind::Cpu, 0}, {}) {}
   Compute(int threads, DeviceChoice choice, OpenDevice open);
 
+  /// Changes the choice for the jobs to come; `Auto` is what the object was made with. A device
+  /// that failed is tried again after a change; buffers on the one used before stay valid.
+  void choose(DeviceChoice choice);
+
   /// Does the job. `cpu_seconds`, an estimate of what it takes on one core, decides with
   /// `DeviceChoice::Kind::Auto`: see `kLeastSeconds`.
   /// Fails with: what the job returns on the processor, Cancelled.
@@ -51,6 +57,8 @@ class Compute {
 
   /// The accelerator's name once one is open and well, else "processor".
   std::string device_name() const;
+  /// Jobs done on an accelerator so far.
+  long accelerated_jobs() const;
 
   /// Jobs below this stay on the processor under `Auto`. Opening a device takes some 0.3 s once,
   /// and a launch with its copies some 50 us each time: a job that keeps a core busy for so long
@@ -63,13 +71,16 @@ class Compute {
   void fall_back(const Error& reason, const RunContext& context);
 
   CpuDevice cpu_;
-  DeviceChoice choice_;
   OpenDevice open_;
-  mutable std::mutex mutex_;   ///< guards the rest
+  mutable std::mutex mutex_;  ///< guards the rest
+  const DeviceChoice usual_;
+  DeviceChoice choice_;
   bool is_asked_for_ = false;  ///< opening was tried
   bool is_told_ = false;       ///< the user knows that the processor stands in
   bool is_well_ = false;
+  long accelerated_jobs_ = 0;
   std::unique_ptr<Device> device_;
+  std::vector<std::unique_ptr<Device>> retired_;  ///< jobs may still hold buffers on them
 };
 
 /// `run.compute`, or the processor with `run.threads`.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <map>
-#include <unordered_map>
+
+#include "core/compute/compute.h"
+#include "core/compute/signatures.h"
 
 namespace hewn {
 namespace {
@@ -54,30 +56,34 @@ long Cells::conflicting_points() const {
   return total;
 }
 
-Cells find_cells(const SampleTable& table) {
+Cells find_cells(const SampleTable& table, const RunContext& run) {
   Cells cells;
-  cells.cell_of_point.resize(table.size());
-  std::unordered_multimap<std::uint64_t, int> by_hash;  // looked up only, never iterated
+  const auto job = [&](Device& device) -> Result<void> {
+    auto numbers = number_distinct_rows(device, table.signatures, table.stride);
+    if (!numbers) return numbers.error();
+    cells.cell_of_point = std::move(*numbers);
+    return {};
+  };
+  const double seconds = seconds_for_rows(table.size(), table.stride);
+  const Result<void> done = compute_of(run)->run(seconds, run, job);
+  // No halfspace tells the points apart.
+  if (!done || table.stride == 0) cells.cell_of_point.assign(table.size(), 0);
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const Word* signature = table.signature(i);
-    const std::uint64_t hash = hash_words({signature, table.stride});
-    int cell = -1;
-    const auto [begin, end] = by_hash.equal_range(hash);
-    for (auto it = begin; it != end && cell < 0; ++it) {
-      const Word* known = table.signature(static_cast<std::size_t>(cells.first_point[it->second]));
-      if (std::equal(signature, signature + table.stride, known)) cell = it->second;
-    }
-    if (cell < 0) {
-      cell = static_cast<int>(cells.size());
-      by_hash.emplace(hash, cell);
+    const auto cell = static_cast<std::size_t>(cells.cell_of_point[i]);
+    if (cell == cells.size()) {
       cells.first_point.push_back(static_cast<int>(i));
       cells.inside_count.push_back(0);
       cells.outside_count.push_back(0);
     }
-    cells.cell_of_point[i] = cell;
     ++(table.is_inside[i] ? cells.inside_count : cells.outside_count)[cell];
   }
   return cells;
+}
+
+Cells find_cells(const SampleTable& table) {
+  RunContext run;
+  run.threads = 1;
+  return find_cells(table, run);
 }
 
 ColumnTable::ColumnTable(const SampleTable& table, const Cells& cells, Labels labels)

@@ -20,6 +20,8 @@ struct Cells {
 };
 
 /// Cost: O(points x stride).
+Cells find_cells(const SampleTable& table, const RunContext& run);
+/// On one core.
 Cells find_cells(const SampleTable& table);
 
 /// One bit per kept cell, in an order that keeps neighbours together. All columns have `words`

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/compute/compute.h"
 #include "core/compute/parallel.h"
+#include "core/compute/signatures.h"
 #include "core/mesh/sampling.h"
 
 namespace hewn {
@@ -16,10 +18,32 @@ constexpr int kNearPerGroup = 60;
 
 std::size_t words_for(std::size_t bits) { return (bits + 63) / 64; }
 
-void fill_signature(const std::vector<Halfspace>& halfspaces, const Vec3& p, Word* out) {
-  for (std::size_t k = 0; k < halfspaces.size(); ++k) {
-    if (halfspaces[k].surface.signed_distance(p) < 0) set_bit(out, k);
+/// Sets the bits of the halfspaces from `first_halfspace` on in the signatures of the points from
+/// `first_point` on, on the device that suits. What is left undone when the run is cancelled stays
+/// clear.
+void fill_signatures(SampleTable& table, const std::vector<Halfspace>& halfspaces,
+                     std::size_t first_halfspace, std::size_t first_point, const RunContext& run) {
+  std::vector<SurfaceForm> forms;
+  for (std::size_t k = first_halfspace; k < halfspaces.size(); ++k) {
+    forms.push_back(halfspaces[k].surface.form());
   }
+  const auto points = std::span<const Vec3>(table.points).subspan(first_point);
+  const SignatureRows rows{std::span(table.signatures).subspan(first_point * table.stride),
+                           table.stride};
+  const auto job = [&](Device& device) {
+    // A device that failed may have left anything there.
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      Word* row = rows.words.data() + i * rows.stride;
+      if (first_halfspace % 64 != 0) {
+        row[first_halfspace / 64] &= (Word{1} << (first_halfspace % 64)) - 1;
+      }
+      std::fill(row + words_for(first_halfspace), row + rows.stride, 0);
+    }
+    return add_signatures(device, forms, points, first_halfspace, rows, run);
+  };
+  const double seconds = seconds_for_sides(forms.size(), points.size());
+  // The processor does it when a device fails, so that only a stop is left: callers look for it.
+  static_cast<void>(compute_of(run)->run(seconds, run, job));
 }
 
 /// The pairs and near points of one face group, with its own generator.
@@ -71,8 +95,8 @@ void append_group_samples(const SampleSpace& space, const std::vector<int>& half
     Rng rng(run.seed, 0x10000 + g);
     samples[g] = sample_group(space, static_cast<int>(g), halfspace_of_group[g], rng);
   });
+  std::vector<LabelledPoint> points;
   for (std::size_t g = 0; g < groups; ++g) {
-    std::vector<LabelledPoint> points;
     for (const auto& [inside, outside] : samples[g].pairs) {
       const int first = static_cast<int>(table.size() + points.size());
       table.pairs.push_back({first, first + 1, static_cast<int>(g)});
@@ -81,8 +105,8 @@ void append_group_samples(const SampleSpace& space, const std::vector<int>& half
     }
     const auto& near_points = samples[g].near_points;
     points.insert(points.end(), near_points.begin(), near_points.end());
-    append_points(table, *space.halfspaces, points, run);
   }
+  append_points(table, *space.halfspaces, points, run);
 }
 
 }  // namespace
@@ -138,16 +162,11 @@ void append_points(SampleTable& table, const std::vector<Halfspace>& halfspaces,
     table.points.push_back(p.position);
     table.is_inside.push_back(p.is_inside ? 1 : 0);
   }
-  for_each_index(
-      run.threads, points.size(),
-      [&](std::size_t i) {
-        fill_signature(halfspaces, points[i].position,
-                       table.signatures.data() + (first + i) * table.stride);
-      },
-      kPointsPerChunk);
+  fill_signatures(table, halfspaces, 0, first, run);
 }
 
-void append_halfspaces(SampleTable& table, const std::vector<Halfspace>& halfspaces) {
+void append_halfspaces(SampleTable& table, const std::vector<Halfspace>& halfspaces,
+                       const RunContext& run) {
   const std::size_t stride = words_for(halfspaces.size());
   if (stride > table.stride) {
     std::vector<Word> wider(table.size() * stride, 0);
@@ -157,13 +176,7 @@ void append_halfspaces(SampleTable& table, const std::vector<Halfspace>& halfspa
     table.signatures = std::move(wider);
     table.stride = stride;
   }
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    for (std::size_t k = table.halfspaces; k < halfspaces.size(); ++k) {
-      if (halfspaces[k].surface.signed_distance(table.points[i]) < 0) {
-        set_bit(table.signatures.data() + i * table.stride, k);
-      }
-    }
-  }
+  fill_signatures(table, halfspaces, table.halfspaces, 0, run);
   table.halfspaces = halfspaces.size();
 }
 

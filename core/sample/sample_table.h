@@ -73,11 +73,14 @@ Result<SampleTable> build_sample_table(const SampleSpace& space, int volume_poin
                                        const std::vector<int>& halfspace_of_group,
                                        const RunContext& run);
 
-/// Appends points and their signatures. Requires: all are certain.
+/// Appends points and their signatures. Requires: all are certain. When the run is cancelled, some
+/// signatures may be missing.
 void append_points(SampleTable& table, const std::vector<Halfspace>& halfspaces,
                    const std::vector<LabelledPoint>& points, const RunContext& run);
 
-/// Appends a signature column for each halfspace beyond `table.halfspaces`.
-void append_halfspaces(SampleTable& table, const std::vector<Halfspace>& halfspaces);
+/// Appends a signature column for each halfspace beyond `table.halfspaces`, as `append_points`
+/// does.
+void append_halfspaces(SampleTable& table, const std::vector<Halfspace>& halfspaces,
+                       const RunContext& run);
 
 }  // namespace hewn

@@ -299,8 +299,8 @@ int add_separating_halfspaces(const SampleSpace& space, SurfaceSet& surfaces, Sa
     const auto best = std::max_element(resolved.begin(), resolved.end());
     if (best == resolved.end() || static_cast<double>(*best) < std::max(2.0, 2e-5 * points)) break;
     surfaces.halfspaces.push_back(candidates[static_cast<std::size_t>(best - resolved.begin())]);
-    append_halfspaces(table, surfaces.halfspaces);
-    cells = find_cells(table);
+    append_halfspaces(table, surfaces.halfspaces, run);
+    cells = find_cells(table, run);
     ++added;
   }
   return added;

@@ -117,6 +117,15 @@ void JobQueue::run_job(const std::shared_ptr<Job>& job) {
     }
     if (wake_) wake_();
   };
+  run.on_log = [this](const LogEntry& entry) {
+    if (base_.on_log) base_.on_log(entry);
+    if (!entry.is_about_machine) return;
+    hand_over(
+        [this, entry] {
+          if (on_machine_notice_) on_machine_notice_(entry);
+        },
+        false);
+  };
   std::string reason;
   try {
     finish(job->work(run));
@@ -131,11 +140,13 @@ void JobQueue::run_job(const std::shared_ptr<Job>& job) {
   });
 }
 
-void JobQueue::finish(JobCompletion completion) {
+void JobQueue::finish(JobCompletion completion) { hand_over(std::move(completion), true); }
+
+void JobQueue::hand_over(JobCompletion completion, bool ends_job) {
   {
     const std::lock_guard lock(mutex_);
     finished_.push_back(std::move(completion));
-    running_ = nullptr;
+    if (ends_job) running_ = nullptr;
   }
   changed_.notify_all();
   if (wake_) wake_();

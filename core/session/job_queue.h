@@ -20,6 +20,8 @@ using JobCompletion = std::function<void()>;
 using JobWork = std::function<JobCompletion(const RunContext&)>;
 /// Told, on the owner's thread, of a job that threw.
 using JobFailure = std::function<void(const std::string& job, const std::string& reason)>;
+/// Told, on the owner's thread, what a job had to say of the machine.
+using MachineNotice = std::function<void(const LogEntry& entry)>;
 
 struct JobStatus {
   int id = 0;
@@ -42,6 +44,7 @@ class JobQueue {
   JobQueue& operator=(const JobQueue&) = delete;
 
   void on_failure(JobFailure sink) { on_failure_ = std::move(sink); }
+  void on_machine_notice(MachineNotice sink) { on_machine_notice_ = std::move(sink); }
   /// Returns the job's id.
   int add(std::string name, JobWork work);
   /// Asks a job to stop, or takes it out of the queue; its completion still runs if it has begun.
@@ -66,10 +69,12 @@ class JobQueue {
   void run_worker();
   void run_job(const std::shared_ptr<Job>& job);
   void finish(JobCompletion completion);
+  void hand_over(JobCompletion completion, bool ends_job);
 
   RunContext base_;
   std::function<void()> wake_;
   JobFailure on_failure_;
+  MachineNotice on_machine_notice_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<std::shared_ptr<Job>> waiting_;

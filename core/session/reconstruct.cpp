@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/compute/compute.h"
 #include "core/compute/parallel.h"
 #include "core/csg/protrude.h"
 #include "core/segment/segment.h"
@@ -96,12 +97,16 @@ class Reconstructor {
     run_.seed = project.seed;
     // Warnings go to the report as well as to the caller, in the order in which they came.
     run_.on_log = [this, forward = run.on_log](const LogEntry& entry) {
-      if (entry.severity != Severity::Info) {
+      // What is said of the machine must not change what is written.
+      if (entry.severity != Severity::Info && !entry.is_about_machine) {
         const std::lock_guard lock(mutex_);
         out_.warnings.push_back(entry.message);
       }
       if (forward) forward(entry);
     };
+    if (run_.compute) run_.compute->choose(project.settings.device.choice());
+    run_.compute = compute_of(run_);
+    run_.compute->prepare(run_);
   }
 
   void tell(PartBoard* board) { board_ = board; }

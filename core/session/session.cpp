@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/base/file.h"
+#include "core/compute/compute.h"
 #include "core/session/tree_file.h"
 
 namespace hewn {
@@ -68,12 +69,17 @@ Result<void> write_result(const FoundResult& result, const ExportTree& command,
 }  // namespace
 
 Session::Session(const RunContext& base, std::function<void()> wake)
-    : edits_(base, wake), jobs_(base, std::move(wake)) {
+    : compute_(compute_of(base)), edits_(base, wake), jobs_(base, std::move(wake)) {
   const auto tell = [this](const std::string& job, const std::string& reason) {
     report({ErrorCode::Internal,
             fmt::format("something inside broke: {}; the document is unharmed", reason), job});
   };
   jobs_.on_failure(tell);
+  const auto about_machine = [this](const LogEntry& entry) {
+    if (entry.severity != Severity::Info) notify(entry.severity, entry.message);
+  };
+  jobs_.on_machine_notice(about_machine);
+  edits_.on_machine_notice(about_machine);
   edits_.on_failure([this, tell](const std::string& job, const std::string& reason) {
     tell(job, reason);
     drop_edit();
@@ -495,6 +501,12 @@ std::shared_ptr<const ResultView> Session::result_view() const {
 void Session::set_live(bool is_live) {
   is_live_ = is_live;
   if (is_live && document().is_ready() && !current_result()) static_cast<void>(start_search());
+}
+
+std::string Session::device() const {
+  const long jobs = compute_->accelerated_jobs();
+  const std::string name = compute_->device_name();
+  return jobs > 0 ? fmt::format("{} ({} jobs)", name, jobs) : name;
 }
 
 bool Session::poll() {

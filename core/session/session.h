@@ -63,6 +63,8 @@ class Session {
   /// Whether results are prepared for drawing; on unless told otherwise.
   void set_views(bool wants_views) { wants_views_ = wants_views; }
   std::vector<JobStatus> jobs() const;
+  /// "processor", or a GPU's name with the number of jobs that it has done.
+  std::string device() const;
   bool is_busy() const { return !jobs_.is_idle() || !edits_.is_idle(); }
 
   const Document& document() const { return history_.current(); }
@@ -137,6 +139,7 @@ class Session {
     std::vector<PartitionView> partitions;
   };
 
+  std::shared_ptr<Compute> compute_;
   History history_;
   mutable Derived derived_;
   std::filesystem::path project_path_;

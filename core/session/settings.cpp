@@ -14,6 +14,14 @@ constexpr std::array<OptionField<MeshLoadOptions>, 2> kLoadOptions{{
     {"max-triangles", &MeshLoadOptions::max_triangles, 1, 100'000'000, "larger meshes are refused"},
 }};
 
+constexpr std::array<OptionField<DeviceOptions>, 2> kDeviceOptions{{
+    {"kind", &DeviceOptions::kind, 0, 2,
+     "auto: a GPU for jobs that are large enough; cpu: never one; cuda: a GPU for every job that "
+     "it can do",
+     "auto,cpu,cuda"},
+    {"index", &DeviceOptions::index, 0, 255, "which of several GPUs, as the driver numbers them"},
+}};
+
 constexpr std::array<OptionField<VerifySettings>, 2> kVerifyOptions{{
     {"volume-points", &VerifySettings::volume_points, 1000, 10'000'000,
      "random points that measure agreement and intersection over union"},
@@ -33,6 +41,11 @@ std::span<const OptionField<VerifySettings>> option_table<VerifySettings>() {
   return kVerifyOptions;
 }
 
+template <>
+std::span<const OptionField<DeviceOptions>> option_table<DeviceOptions>() {
+  return kDeviceOptions;
+}
+
 std::vector<OptionSection> bind_settings(Settings& settings) {
   return {
       {"load", "Reading and repairing the mesh.", bind_options(settings.load)},
@@ -43,6 +56,9 @@ std::vector<OptionSection> bind_settings(Settings& settings) {
       {"tree", "Finding the tree of one partition. Budgets count steps, never seconds.",
        bind_options(settings.tree)},
       {"verify", "Judging the tree on fresh points.", bind_options(settings.verify)},
+      {"device",
+       "Where heavy work runs; never changes a result. `--device auto|cpu|cuda[:INDEX]` sets both.",
+       bind_options(settings.device)},
   };
 }
 

@@ -2,6 +2,7 @@
 /// Every tunable of a reconstruction in one value.
 #include <vector>
 
+#include "core/compute/compute.h"
 #include "core/fit/surface_set.h"
 #include "core/mesh/load.h"
 #include "core/segment/curvature/curvature_options.h"
@@ -10,6 +11,17 @@
 #include "core/synth/find_tree.h"
 
 namespace hewn {
+
+/// Where heavy work runs; never changes a result.
+struct DeviceOptions {
+  int kind = 0;  ///< as `DeviceChoice::Kind`
+  int index = 0;
+
+  DeviceChoice choice() const { return {static_cast<DeviceChoice::Kind>(kind), index}; }
+};
+
+template <>
+std::span<const OptionField<DeviceOptions>> option_table<DeviceOptions>();
 
 /// How a tree is judged against the mesh. See `verify`.
 struct VerifySettings {
@@ -29,6 +41,7 @@ struct Settings {
   RegulariseOptions regularise;
   TreeSearchOptions tree;
   VerifySettings verify;
+  DeviceOptions device;
 };
 
 /// The option tables of `settings`, in the order of the stages. Valid as long as `settings`.

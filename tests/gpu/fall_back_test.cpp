@@ -5,55 +5,16 @@
 #include "core/compute/signatures.h"
 #include "core/compute/tree_batch.h"
 #include "gpu/cuda_device.h"
+#include "tests/gpu/failing_device.h"
 #include "tests/gpu/test_device.h"
 
 namespace hewn {
 namespace {
 
-/// An accelerator whose call number `good_calls` (from 0) and all later ones fail.
-class FailingDevice final : public Device {
- public:
-  FailingDevice(int good_calls, Error error)
-      : info_{"test card", true, std::size_t{1} << 24},
-        left_(good_calls),
-        error_(std::move(error)) {}
-
-  const DeviceInfo& info() const override { return info_; }
-  Result<void*> allocate(std::size_t bytes) override {
-    if (fails()) return error_;
-    ++allocated_;
-    return cpu_.allocate(bytes);
-  }
-  void release(void* memory) override {
-    --allocated_;
-    cpu_.release(memory);
-  }
-  Result<void> upload(void* to, const void* from, std::size_t bytes) override {
-    return fails() ? Result<void>(error_) : cpu_.upload(to, from, bytes);
-  }
-  Result<void> download(void* to, const void* from, std::size_t bytes) override {
-    return fails() ? Result<void>(error_) : cpu_.download(to, from, bytes);
-  }
-  Result<void> fill(void* to, unsigned char byte, std::size_t bytes) override {
-    return fails() ? Result<void>(error_) : cpu_.fill(to, byte, bytes);
-  }
-  Result<void> launch(const Kernel& kernel) override {
-    return fails() ? Result<void>(error_) : cpu_.launch(kernel);
-  }
-  int allocated() const { return allocated_; }
-
- private:
-  bool fails() { return left_-- <= 0; }
-
-  DeviceInfo info_;
-  CpuDevice cpu_{1};
-  int left_;
-  Error error_;
-  int allocated_ = 0;
-};
-
-const Error kLost{ErrorCode::Device, "unspecified launch failure", "test card"};
-const Error kFull{ErrorCode::OutOfMemory, "too little memory on the GPU", "test card"};
+using testing::FailingDevice;
+using testing::kFull;
+using testing::kLost;
+using testing::opens;
 
 /// A run that keeps its warnings.
 struct Run {
@@ -112,14 +73,6 @@ struct Work {
   std::vector<SurfaceForm> surfaces;
   std::vector<Vec3> points;
 };
-
-OpenDevice opens(FailingDevice*& opened, int good_calls, const Error& error) {
-  return [&opened, good_calls, error](int) -> Result<std::unique_ptr<Device>> {
-    auto device = std::make_unique<FailingDevice>(good_calls, error);
-    opened = device.get();
-    return Result<std::unique_ptr<Device>>(std::move(device));
-  };
-}
 
 TEST_CASE("a device lost at any call leaves the same results and one warning") {
   Run plain;
@@ -194,6 +147,51 @@ TEST_CASE("small jobs stay on the processor unless a device is demanded") {
   CHECK(device == nullptr);  // not even opened
   CHECK(on_accelerator(Compute::kLeastSeconds * 2));
   CHECK_FALSE(on_accelerator(Compute::kLeastSeconds / 2));
+}
+
+TEST_CASE("a change of choice takes effect with the next job, and auto is what it was at first") {
+  Run run;
+  std::vector<int> opened;
+  const OpenDevice open = [&](int index) -> Result<std::unique_ptr<Device>> {
+    opened.push_back(index);
+    return Result<std::unique_ptr<Device>>(std::make_unique<FailingDevice>(1000, kLost));
+  };
+  Compute compute(1, {DeviceChoice::Kind::Cpu, 0}, open);
+  const auto is_accelerated = [&] {
+    bool is_accelerator = false;
+    const auto look = [&](Device& d) -> Result<void> {
+      is_accelerator = d.info().is_accelerator;
+      return {};
+    };
+    REQUIRE(compute.run(1, run.context, look).has_value());
+    return is_accelerator;
+  };
+  CHECK_FALSE(is_accelerated());
+  compute.choose({DeviceChoice::Kind::Cuda, 2});
+  CHECK(is_accelerated());
+  compute.choose({DeviceChoice::Kind::Cuda, 2});
+  CHECK(is_accelerated());
+  compute.choose({DeviceChoice::Kind::Cuda, 0});
+  CHECK(is_accelerated());
+  CHECK(opened == std::vector<int>{2, 0});
+  CHECK(compute.accelerated_jobs() == 3);
+  compute.choose({DeviceChoice::Kind::Auto, 0});
+  CHECK_FALSE(is_accelerated());
+  CHECK(compute.accelerated_jobs() == 3);
+}
+
+TEST_CASE("a lost device is tried again once the user has chosen anew") {
+  Run run;
+  FailingDevice* device = nullptr;
+  Compute compute(1, {DeviceChoice::Kind::Cuda, 0}, opens(device, 0, kLost));
+  static_cast<void>(Work(run).outcome(compute));
+  CHECK(run.warnings.size() == 1);
+  compute.choose({DeviceChoice::Kind::Cpu, 0});
+  static_cast<void>(Work(run).outcome(compute));
+  CHECK(run.warnings.size() == 1);
+  compute.choose({DeviceChoice::Kind::Cuda, 0});
+  static_cast<void>(Work(run).outcome(compute));
+  CHECK(run.warnings.size() == 2);
 }
 
 TEST_CASE("a failure that is not the device's own is passed on") {

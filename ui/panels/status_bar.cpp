@@ -34,7 +34,7 @@ std::string counts_text(const Ui& ui) {
   for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3) {
     digits.insert(static_cast<std::size_t>(i), ",");
   }
-  return fmt::format("{} triangles    {} groups    {} selected", digits,
+  return fmt::format("{}    {} triangles    {} groups    {} selected", ui.session.device(), digits,
                      document.prepared->segmentation.groups.size(), ui.state.selected.size());
 }
 

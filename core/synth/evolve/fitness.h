@@ -1,5 +1,10 @@
 #pragma once
-/// How good a creature is: geometry, size and proximity in one pass over bit columns.
+/// How good creatures are: geometry, size and proximity in one pass over bit columns, a whole
+/// generation at a time, on the device that suits.
+#include <memory>
+#include <span>
+
+#include "core/compute/compute.h"
 #include "core/synth/evolve/genome.h"
 
 namespace hewn {
@@ -12,31 +17,29 @@ struct Measures {
   int proximity = 0;      ///< P(T); divided by the size it is the proximity
 };
 
-/// Memory of one thread; keeps measuring free of allocations.
-struct FitnessScratch {
-  std::vector<Word> slots;
-  std::vector<const Word*> stack;
-};
-
-/// The rows on which creatures are judged; those that do not matter are left out.
+/// The rows on which creatures are judged; those that do not matter are left out. For one thread.
 class FitnessTable {
  public:
-  /// Rows are the cells of `care`; `wanted` tells which of them to hold.
-  FitnessTable(const CellColumns& cells, const Column& wanted, const Column& care);
+  /// Rows are the cells of `care`; `wanted` tells which of them to hold. Measures on
+  /// `compute_of(run)`.
+  FitnessTable(const CellColumns& cells, const Column& wanted, const Column& care,
+               const RunContext& run);
 
-  int literals() const { return static_cast<int>(columns_.size()); }
+  int literals() const { return static_cast<int>(rows_.columns()); }
   int inside_rows() const { return inside_; }
   int outside_rows() const { return outside_; }
 
-  /// The same numbers on every processor. Cost: O(nodes x words), without allocation once `scratch`
-  /// has grown.
-  Measures measure(const Genome& genome, FitnessScratch& scratch) const;
+  /// One for each genome; the same numbers on every device. Fails with: Cancelled.
+  /// Cost: O(nodes x words), shared by all workers.
+  Result<std::vector<Measures>> measure(std::span<const Genome* const> genomes,
+                                        const RunContext& run);
 
  private:
-  std::size_t words_ = 0;
-  std::vector<Column> columns_;
-  Column wanted_, all_;
+  std::shared_ptr<Compute> compute_;
   int inside_ = 0, outside_ = 0;
+  MeasuredRows rows_;
+  TreeBatch batch_;
+  std::vector<TreeMeasures> measured_;
 };
 
 }  // namespace hewn

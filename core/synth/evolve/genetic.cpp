@@ -22,11 +22,11 @@ class Evolution {
       : starts_(starts),
         options_(options),
         run_(run),
-        table_(cells, starts[0].value, care),
+        table_(cells, starts[0].value, care, run),
         rng_(run.seed, 2020) {}
 
   Result<GeneticResult> work() {
-    begin();
+    if (auto done = begin(); !done) return done.error();
     double best_score = 0;
     int idle = 0;
     for (int i = 0; i < options_.iterations && idle < options_.most_idle; ++i, ++idle) {
@@ -38,7 +38,7 @@ class Evolution {
         best_score = population_[0].score;
         idle = 0;
       }
-      breed();
+      if (auto done = breed(); !done) return done.error();
       result_.iterations = i + 1;
     }
     result_.best = formula_of(best_);
@@ -47,7 +47,7 @@ class Evolution {
   }
 
  private:
-  void begin() {
+  Result<void> begin() {
     std::vector<Genome> inputs;
     std::size_t largest = 0;
     for (const Formula& f : starts_) {
@@ -61,15 +61,26 @@ class Evolution {
       const auto copy = static_cast<std::size_t>(i / 2) % inputs.size();
       c.genome = i % 2 == 0 ? inputs[copy]
                             : random_genome(table_.literals(), static_cast<int>(largest), rng_);
-      measure(c);
-      if (i == 0 && best_.empty()) best_ = c.genome;
       population_.push_back(std::move(c));
     }
+    return measure(population_);
   }
 
-  void measure(Creature& c) {
-    c.measures = table_.measure(c.genome, scratch_);
-    ++result_.evaluations;
+  /// In one batch, then judged one after the other.
+  Result<void> measure(std::span<Creature> creatures) {
+    std::vector<const Genome*> genomes;
+    for (const Creature& c : creatures) genomes.push_back(&c.genome);
+    const auto measures = table_.measure(genomes, run_);
+    if (!measures) return measures.error();
+    result_.evaluations += static_cast<long>(creatures.size());
+    for (std::size_t i = 0; i < creatures.size(); ++i) {
+      creatures[i].measures = (*measures)[i];
+      judge(creatures[i]);
+    }
+    return {};
+  }
+
+  void judge(Creature& c) {
     const auto share = [](int right, int all) {
       return all > 0 ? static_cast<double>(right) / all : 1.0;
     };
@@ -78,6 +89,7 @@ class Evolution {
                  2;
     const double proximity = static_cast<double>(c.measures.proximity) / c.measures.size;
     archive_.offer({c.genome, c.geometry, c.measures.size, proximity});
+    if (best_.empty()) best_ = c.genome;  // the first one is a copy of the input
     if (!c.is_right()) return;
     // Of right ones the smallest; then the one whose operands overlap most.
     const bool is_better =
@@ -118,11 +130,12 @@ class Evolution {
     return population_[best];
   }
 
-  void breed() {
+  Result<void> breed() {
     std::vector<Creature> next(
         population_.begin(),
         population_.begin() + std::min<std::ptrdiff_t>(
                                   options_.elite, static_cast<std::ptrdiff_t>(population_.size())));
+    const std::size_t kept = next.size();
     while (next.size() < population_.size()) {
       Creature child;
       child.genome = select().genome;
@@ -131,10 +144,10 @@ class Evolution {
         exchange(child.genome, other);
       }
       if (rng_.uniform() < options_.mutation) mutate(child.genome);
-      measure(child);
       next.push_back(std::move(child));
     }
     population_ = std::move(next);
+    return measure(std::span(population_).subspan(kept));
   }
 
   /// Puts `part` in the place of the subtree that ends at `last`, when there is room.
@@ -191,7 +204,6 @@ class Evolution {
   Rng rng_;
   int most_nodes_ = 0;
   std::vector<Creature> population_;
-  FitnessScratch scratch_;
   Genome best_;
   int best_proximity_ = 0;
   ParetoArchive archive_;

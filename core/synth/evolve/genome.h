@@ -1,19 +1,12 @@
 #pragma once
 /// Binary trees as postfix token strings: the creatures of the genetic algorithm.
-#include <cstdint>
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/compute/tree_batch.h"
 #include "core/synth/simplify/formula.h"
 
 namespace hewn {
-
-/// A literal's index, or one of the operations below.
-using Token = std::int16_t;
-inline constexpr Token kUnionToken = -1;
-inline constexpr Token kIntersectionToken = -2;
-inline constexpr Token kDifferenceToken = -3;
-inline constexpr Token kComplementToken = -4;
 
 /// A tree in postfix order; its number of tokens is its number of nodes `#|T|`.
 using Genome = std::vector<Token>;

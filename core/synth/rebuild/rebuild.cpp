@@ -194,7 +194,7 @@ class TreeRebuilder::Search {
   /// Takes in further surfaces of the tree until no cell holds points of both kinds.
   void separate() {
     for (;;) {
-      cells_ = find_cells(table_);
+      cells_ = find_cells(table_, run_);
       std::vector<std::vector<int>> mixed(cells_.size());
       for (std::size_t i = 0; i < table_.size(); ++i) {
         const auto c = static_cast<std::size_t>(cells_.cell_of_point[i]);
@@ -207,7 +207,7 @@ class TreeRebuilder::Search {
       const int best = best_separating(mixed);
       if (best < 0) return;
       use(best);
-      append_halfspaces(table_, surfaces_.halfspaces);
+      append_halfspaces(table_, surfaces_.halfspaces, run_);
     }
   }
 

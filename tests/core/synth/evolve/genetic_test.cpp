@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/core/synth/simplify/formula_fixture.h"
+#include "tests/gpu/failing_device.h"
 
 namespace hewn {
 namespace {
@@ -32,15 +33,21 @@ TEST_CASE("a genome is the formula, and its parts are whole subtrees") {
 TEST_CASE("measures are those of the formula's tree") {
   Rng rng(62);
   const CellColumns cells = all_cells(6);
-  FitnessScratch scratch;
   for (int i = 0; i < 300; ++i) {
     Formula wanted = random_formula(rng, 6, 3);
     evaluate(wanted, cells);
     const Column care = testing::random_column(rng, cells);
-    const FitnessTable table(cells, wanted.value, care);
+    const RunContext run;
+    FitnessTable table(cells, wanted.value, care, run);
     Formula f = normalised(random_formula(rng, 6, 4));
     if (f.is_constant()) continue;
-    const Measures m = table.measure(genome_of(f), scratch);
+    const Genome genome = genome_of(f);
+    const Genome literal = {0};
+    const std::vector<const Genome*> genomes = {&literal, &genome};
+    const auto measured = table.measure(genomes, run);
+    REQUIRE(measured.has_value());
+    CHECK((*measured)[0].size == 1);
+    const Measures m = (*measured)[1];
     evaluate(f, cells);
     const auto wrong = static_cast<int>(count_differences(f.value, wanted.value, care));
     CHECK(m.inside_right + m.outside_right == table.inside_rows() + table.outside_rows() - wrong);
@@ -73,6 +80,35 @@ TEST_CASE("evolution keeps the solid and finds smaller trees") {
     CHECK(same_on(again->best, result->best, cells, cells.all()));
   }
   CHECK(smaller > 3);
+}
+
+TEST_CASE("evolution on a device that breaks ends as on the processor") {
+  Rng rng(64);
+  const CellColumns cells = all_cells(6);
+  const Formula f = normalised(random_formula(rng, 6, 4));
+  GeneticOptions options;
+  options.iterations = 40;
+  RunContext run;
+  run.threads = 1;
+  const auto expected = evolve({f}, cells, cells.all(), options, run);
+  REQUIRE(expected.has_value());
+  for (const int good_calls : {0, 3, 50, 100000}) {
+    int warnings = 0;
+    testing::FailingDevice* device = nullptr;
+    RunContext other;
+    other.on_log = [&](const LogEntry& entry) { warnings += entry.severity == Severity::Warning; };
+    other.compute = std::make_shared<Compute>(1, DeviceChoice{DeviceChoice::Kind::Cuda, 0},
+                                              testing::opens(device, good_calls, testing::kLost));
+    const auto found = evolve({f}, cells, cells.all(), options, other);
+    REQUIRE(found.has_value());
+    CHECK(genome_of(found->best) == genome_of(expected->best));
+    CHECK(found->evaluations == expected->evaluations);
+    REQUIRE(found->front.size() == expected->front.size());
+    for (std::size_t i = 0; i < found->front.size(); ++i) {
+      CHECK(found->front[i].genome == expected->front[i].genome);
+    }
+    CHECK(warnings == (good_calls < 100000 ? 1 : 0));
+  }
 }
 
 TEST_CASE("the archive keeps what nothing dominates") {
