@@ -74,10 +74,10 @@ struct StudioState {
   std::string active_field;    ///< name of the literal's number that is being typed
   int picked_literal = -1;
   int hovered_node = -1, picked_node = -1;  ///< operations of the shown tree
-  std::vector<int> hovered_groups;  ///< of a row in a list
-  std::set<int> hidden;             ///< face groups
-  PartitionPath active_partition;   ///< where new partitions go
-  std::set<std::string> locked;     ///< partitions by name: their groups cannot be picked
+  std::vector<int> hovered_groups;          ///< of a row in a list
+  std::set<int> hidden;                     ///< face groups
+  PartitionPath active_partition;           ///< where new partitions go
+  std::set<std::string> locked;             ///< partitions by name: their groups cannot be picked
   KnifeState knife;
   GraphState graph;
   bool shows_graph = false;  ///< the graph's tab is open
@@ -103,6 +103,7 @@ struct StudioState {
   bool wants_openscad = false;
   std::filesystem::path sample;                    ///< the part for first steps; empty: none
   std::vector<std::filesystem::path> recoverable;  ///< copies that a crash left behind
+  std::filesystem::path recovered;  ///< the copy that was opened; goes when the plan has a new one
   std::vector<std::filesystem::path> recent;
 };
 

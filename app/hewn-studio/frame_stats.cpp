@@ -9,10 +9,10 @@
 namespace hewn {
 namespace {
 
-/// Of all threads of the process.
-double cpu_now_ms() {
+/// Of all threads of the process, or of the thread that asks.
+double cpu_now_ms(clockid_t clock) {
   timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  clock_gettime(clock, &t);
   return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
 }
 
@@ -24,15 +24,18 @@ double mean(const std::vector<double>& values) {
 
 void FrameStats::begin() {
   start_ = Clock::now();
-  cpu_start_ms_ = cpu_now_ms();
+  cpu_start_ms_ = cpu_now_ms(CLOCK_PROCESS_CPUTIME_ID);
+  own_start_ms_ = cpu_now_ms(CLOCK_THREAD_CPUTIME_ID);
 }
 
 void FrameStats::end(bool is_moving, bool is_busy) {
   const std::chrono::duration<double, std::milli> took = Clock::now() - start_;
-  const double cpu_ms = cpu_now_ms() - cpu_start_ms_;
+  const double cpu_ms = cpu_now_ms(CLOCK_PROCESS_CPUTIME_ID) - cpu_start_ms_;
+  const double own_ms = cpu_now_ms(CLOCK_THREAD_CPUTIME_ID) - own_start_ms_;
   const auto add = [&](Frames& frames) {
     frames.ms.push_back(took.count());
     frames.cpu_ms.push_back(cpu_ms);
+    frames.own_ms.push_back(own_ms);
   };
   add(all_);
   if (is_moving) add(moving_);
@@ -44,9 +47,9 @@ std::string FrameStats::Frames::text() const {
   std::vector<double> sorted = ms;
   std::sort(sorted.begin(), sorted.end());
   return fmt::format(
-      R"({{"frames": {}, "mean_ms": {:.2f}, "median_ms": {:.2f}, "p95_ms": {:.2f}, "max_ms": {:.2f}, "cpu_ms": {:.2f}}})",
+      R"({{"frames": {}, "mean_ms": {:.2f}, "median_ms": {:.2f}, "p95_ms": {:.2f}, "max_ms": {:.2f}, "cpu_ms": {:.2f}, "own_max_ms": {:.2f}}})",
       sorted.size(), mean(ms), sorted[sorted.size() / 2], sorted[sorted.size() * 95 / 100],
-      sorted.back(), mean(cpu_ms));
+      sorted.back(), mean(cpu_ms), *std::max_element(own_ms.begin(), own_ms.end()));
 }
 
 std::string FrameStats::summary() const {

@@ -302,6 +302,12 @@ class Window {
     checked_ = Autosave::Clock::now();
     const auto done = autosave_.update(session_.document().project, session_.is_modified(),
                                        Autosave::Clock::now());
+    // The plan that was given back is safe again.
+    std::filesystem::path& recovered = studio_.state().recovered;
+    std::error_code ignored;
+    if (!autosave_.file().empty() && !recovered.empty()) {
+      std::filesystem::remove(std::exchange(recovered, {}), ignored);
+    }
     if (!done) session_.notify(Severity::Warning, "no copy of the plan: " + done.error().message);
   }
 

@@ -34,6 +34,36 @@ std::vector<int> nearest_literals(const Tree& tree, const Mesh& mesh, const RunC
   return labels;
 }
 
+/// Where faces of several literals coincide, the nearest one is a matter of chance: takes the first
+/// without which the solid would not begin behind the triangle, as exact pictures do.
+void settle_coincident(const Tree& tree, const TreeProgram& program, const Mesh& mesh,
+                       std::vector<int>& labels, const RunContext& run) {
+  const double same = 1e-6 * mesh.diagonal();
+  const double behind = 2e-5 * mesh.diagonal();
+  for_each_index(run.threads, labels.size(), [&](std::size_t i) {
+    if (run.is_cancelled()) return;
+    const int t = static_cast<int>(i);
+    const Vec3 middle = mesh.centroid(t);
+    const double nearest = std::abs(tree.literals[labels[t]].signed_distance(middle));
+    std::vector<std::size_t> tied;
+    std::vector<bool> inside;
+    for (std::size_t l = 0; l < tree.literals.size(); ++l) {
+      const double distance = std::abs(tree.literals[l].signed_distance(middle));
+      if (distance <= nearest + same) tied.push_back(l);
+      inside.push_back(tree.literals[l].signed_distance(middle - behind * mesh.normals[t]) < 0);
+    }
+    if (tied.size() < 2 || !program.answer(inside)) return;
+    for (const std::size_t l : tied) {
+      inside[l] = !inside[l];
+      const bool matters = !program.answer(inside);
+      inside[l] = !inside[l];
+      if (!matters) continue;
+      labels[t] = static_cast<int>(l);
+      return;
+    }
+  });
+}
+
 /// Gives each flat face one label, that of most of its area: coplanar faces of several literals are
 /// tessellated together, in triangles that belong to none of them alone.
 void unify_flat_faces(const Mesh& mesh, std::vector<int>& labels) {
@@ -89,6 +119,7 @@ Result<ResultView> build_result_view(const Reconstruction& found, const RunConte
   if (run.is_cancelled()) return RunContext::cancelled();
   if (surface) {
     std::vector<int> labels = nearest_literals(found.tree, *surface, run);
+    if (view.program) settle_coincident(found.tree, *view.program, *surface, labels, run);
     unify_flat_faces(*surface, labels);
     view.surface = build_display_mesh(*surface, labels);
   } else {

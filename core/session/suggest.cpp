@@ -14,8 +14,8 @@
 namespace hewn {
 namespace {
 
-/// Corners of a group that are looked at; they lie on one surface.
-constexpr std::size_t kMostCorners = 48;
+/// Triangles of a group that are looked at; they lie on one surface.
+constexpr std::size_t kMostTriangles = 48;
 
 struct Term {
   Op op = Op::Union;
@@ -37,13 +37,13 @@ std::vector<Term> outermost_terms(const Tree& tree) {
   return terms;
 }
 
+/// Of the middles of triangles: corners lie on the rims, where several literals meet.
 double mean_distance(const Literal& literal, const Mesh& mesh, const FaceGroup& group) {
-  const std::size_t step = std::max<std::size_t>(1, 3 * group.triangles.size() / kMostCorners);
+  const std::size_t step = std::max<std::size_t>(1, group.triangles.size() / kMostTriangles);
   double sum = 0;
   int count = 0;
-  for (std::size_t i = 0; i < 3 * group.triangles.size(); i += step) {
-    const Vec3& p = mesh.corner(group.triangles[i / 3], static_cast<int>(i % 3));
-    sum += std::abs(literal.signed_distance(p));
+  for (std::size_t i = 0; i < group.triangles.size(); i += step) {
+    sum += std::abs(literal.signed_distance(mesh.centroid(group.triangles[i])));
     ++count;
   }
   return count == 0 ? kInfinity : sum / count;

@@ -47,7 +47,7 @@ literals=$(state literals)
 key ctrl+shift+r
 until_true "other trees" at_least results 3
 until_true "all of them" is_idle
-click 1050 251
+click 1108 251
 before=$(state undo)
 taken=
 for y in $(seq 272 10 450); do

@@ -38,5 +38,6 @@ done
 [ -n "$found" ] || fail "no button on the card"
 until_true "the lost partition" is partitions 1
 close_window
-ls "$folder"/state/hewn/recovery/unsaved-*.json >left.txt 2>/dev/null || true
+left=$(find "$folder/state/hewn/recovery" -name 'unsaved-*.json' | wc -l)
+[ "$left" = 0 ] || fail "$left copies were left behind by a window that was closed"
 echo "ok: the plan came back after kill -9"

@@ -200,7 +200,8 @@ void draw_exact_card(Ui& ui, const PanelArea& view) {
 }
 
 void draw_notices(Ui& ui, const PanelArea& view) {
-  float y = view.y + ui.px(12);
+  const bool has_hint = ui.state.shows_hints && ui.session.document().is_ready();
+  float y = view.y + ui.px(has_hint ? 60 : 12);
   const auto& notices = ui.session.notices();
   constexpr std::size_t kMost = 4;
   const std::size_t first = notices.size() > kMost ? notices.size() - kMost : 0;
@@ -239,7 +240,10 @@ void draw_recovery(Ui& ui, const PanelArea& view) {
   ImGui::PopFont();
   faint_text(ui, "The program ended before this plan was saved. The copy is at most a minute old.");
   if (ImGui::Button("Open the copy")) {
-    if (ui.session.recover(copy)) reset_view(ui.state);
+    if (ui.session.recover(copy)) {
+      reset_view(ui.state);
+      ui.state.recovered = copy;
+    }
     // A copy that cannot be opened stays on the disk; the notice says why.
     ui.state.recoverable.erase(ui.state.recoverable.begin());
   }

@@ -62,6 +62,11 @@ void draw_node(Ui& ui, const Tree& tree, int index, const Place& place) {
 
 }  // namespace
 
-void draw_outline(Ui& ui, const Tree& tree) { draw_node(ui, tree, tree.root, {}); }
+void draw_outline(Ui& ui, const Tree& tree) {
+  // Chains of differences and unions go deep.
+  ImGui::PushStyleVar(ImGuiStyleVar_IndentSpacing, ui.px(10));
+  draw_node(ui, tree, tree.root, {});
+  ImGui::PopStyleVar();
+}
 
 }  // namespace hewn

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "core/session/part_report.h"
 #include "tests/core/session/session_fixture.h"
 
 namespace hewn {
@@ -71,21 +72,30 @@ TEST_CASE("every partition of a search waits, and is done with its size and erro
   CHECK(session.partition_progress().size() == 2);
 }
 
-TEST_CASE("a partition that fails says why, beside one that is done") {
-  OpenSession open;
-  Session& session = open.session;
-  // One side face alone bounds nothing.
-  REQUIRE(session.execute(AddPartition{{}, "side", Op::Union, {{Vec3(20, 0, 0), -1}}}));
-  REQUIRE(session.execute(Reconstruct{}));
-  session.wait();
-  const auto parts = session.partition_progress();
-  REQUIRE(parts.size() == 2);
-  if (parts[1].state == State::Failed) {
-    CHECK(parts[1].reason.size() > 10);
-    CHECK_FALSE(session.failure().empty());
-  } else {
-    CHECK(parts[1].state == State::Done);
-  }
+TEST_CASE("a report ends as its search did: done, failed with the reason, or stopped") {
+  PartBoard board;
+  const auto end = [&board](const std::string& name, const Result<PartitionResult>& result) {
+    PartReport report(&board, name);
+    report.begin();
+    report.running("verify", 0.75);
+    CHECK(board.parts().back().stage == "verify");
+    CHECK(board.parts().back().share == 0.75);
+    report.end(result);
+    return board.parts().back();
+  };
+  PartitionResult found;
+  found.answer.tree.root = found.answer.tree.add_literal({});
+  found.answer.agreement = 0.75;
+  const PartProgress done = end("body", found);
+  CHECK(done.state == State::Done);
+  CHECK(done.literals == 1);
+  CHECK(done.size == 1);
+  CHECK(done.error == 0.25);
+  const PartProgress failed = end("rib", Error{ErrorCode::NotFound, "no halfspaces; cut it"});
+  CHECK(failed.state == State::Failed);
+  CHECK(failed.reason == "no halfspaces; cut it");
+  CHECK(end("hole", RunContext::cancelled()).state == State::Stopped);
+  CHECK(board.parts().size() == 3);
 }
 
 TEST_CASE("a cancelled search leaves its partitions stopped, and can be run again") {
