@@ -65,7 +65,7 @@ TEST_CASE("halfspaces appended later give the signatures that they would have gi
     h.surface.offset = -5 + 0.1 * k;
     more.push_back(h);
   }
-  append_halfspaces(*table, more);
+  append_halfspaces(*table, more, part.run);
   for (std::size_t i = 0; i < table->size(); i += 37) {
     for (std::size_t k = 0; k < more.size(); ++k) {
       CHECK(test_bit(table->signature(i), k) ==
