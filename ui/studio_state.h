@@ -30,7 +30,7 @@ struct ExactNow {
 /// The view of the tree's graph.
 struct GraphState {
   float zoom = 1;
-  float pan_x = 0, pan_y = 0;  ///< of the graph's corner from the panel's, pixels
+  float pan_x = 0, pan_y = 0;  ///< of the graph's corner from the panel's left middle
   bool wants_fit = true;
   bool is_panning = false;
 };

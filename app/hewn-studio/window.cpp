@@ -237,7 +237,8 @@ class Window {
     stats_.begin();
     draw();
     tell_late_releases();
-    stats_.end(studio_.is_moving(), session_.is_busy());
+    // The first frame makes the driver ready; nobody waits for an answer to a click yet.
+    if (std::exchange(has_drawn_, true)) stats_.end(studio_.is_moving(), session_.is_busy());
   }
 
   void draw() {
@@ -319,6 +320,7 @@ class Window {
   Studio studio_;
   Autosave autosave_;
   FrameStats stats_;
+  bool has_drawn_ = false;
   std::size_t recorded_ = 0;
   std::string status_;
   std::uint64_t checked_revision_ = 0;

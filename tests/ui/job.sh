@@ -116,8 +116,8 @@ iou=$(sed -n 's/.*"iou": 0\.\([0-9][0-9]\).*/\1/p' compared.json)
 [ "${iou:-0}" -ge 98 ] || fail "the rendered design shares only 0.$iou with the mesh"
 "$hewn" replay log.txt || fail "the log does not replay"
 cmp tree.scad from-window.scad || fail "the replayed design differs"
+# Steps before the search only: what it finds, and so the colours, may change with the search.
 for reference in "$references"/*.png; do
-  [ -e "$reference" ] || continue  # none are kept yet
   "$tool" compare "$(basename "$reference")" "$reference" ||
     fail "$(basename "$reference") does not look as it should"
 done

@@ -19,7 +19,7 @@ click $(xdotool getmouselocation --shell | sed -n 's/^[XY]=//p' | tr '\n' ' ')
 until_true "a selected group" is selected 1
 key shift+p
 until_true "the partition" is partitions 1
-until_true "the copy" bash -c "ls '$folder'/state/hewn/recovery/unsaved-*.json"
+until_true "the copy" bash -c "ls '$folder'/state/hewn/recovery/unsaved-*.json >/dev/null"
 kill -9 "$pid"
 wait "$pid" 2>/dev/null || true
 

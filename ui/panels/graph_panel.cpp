@@ -32,9 +32,10 @@ std::vector<float> node_widths(const Ui& ui, const Tree& tree) {
   return widths;
 }
 
-/// The panel's place, and the way from the graph's coordinates to it.
+/// The middle of the panel's left edge, and the way from the graph's coordinates to it: what is in
+/// the middle stays there when the inspector takes a part of the panel.
 struct Canvas {
-  ImVec2 at, size;
+  ImVec2 at;
   float zoom = 1, pan_x = 0, pan_y = 0;
   ImVec2 to_pixel(float x, float y) const {
     return {at.x + pan_x + x * zoom, at.y + pan_y + y * zoom};
@@ -50,7 +51,7 @@ void fit(const Ui& ui, GraphState& state, const GraphLayout& graph, const ImVec2
   state.pan_x = margin;
   const bool is_whole = graph.height * state.zoom <= size.y;
   const float middle = is_whole || graph.nodes.empty() ? graph.height / 2 : graph.nodes[0].y;
-  state.pan_y = size.y / 2 - middle * state.zoom;
+  state.pan_y = -middle * state.zoom;
   state.wants_fit = false;
 }
 
@@ -137,7 +138,7 @@ void draw_graph(Ui& ui, const Tree& tree) {
   if (size.x < 1 || size.y < 1) return ImGui::PopFont();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (state.wants_fit) fit(ui, state, graph, size);
-  const Canvas canvas{at, size, state.zoom, state.pan_x, state.pan_y};
+  const Canvas canvas{{at.x, at.y + size.y / 2}, state.zoom, state.pan_x, state.pan_y};
   ImGui::InvisibleButton("canvas", size);
   const bool is_hovered = ImGui::IsItemHovered();
   const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -54,7 +54,8 @@ void draw_field(Ui& ui, int literal, const LiteralField& field, double diagonal)
   if (ImGui::IsItemActive()) ui.state.active_field = field.name;
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%.17g model units; Enter changes it", field.value);
   const double rounder = suggested_value(field.value, diagonal);
-  if (rounder != field.value) {
+  // What reads the same in the field is no choice.
+  if (fmt::format("{:.6g}", rounder) != fmt::format("{:.6g}", field.value)) {
     ImGui::SameLine();
     if (ImGui::Button(short_number(rounder).c_str())) {
       static_cast<void>(ui.session.execute(EditLiteral{{literal, field.name, rounder}}));

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "ui/panels/tree_marks.h"
 #include "ui/panels/widgets.h"
 
 namespace hewn {
@@ -43,6 +44,7 @@ std::string counts_text(const Ui& ui) {
 void draw_status_bar(Ui& ui, const PanelArea& area) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(5)});
   begin_panel("status", area, ImGuiWindowFlags_NoScrollbar);
+  if (ImGui::IsWindowHovered()) hover_nothing(ui.state);
   ImGui::PushFont(ui.fonts.small);
   const auto jobs = ui.session.jobs();
   if (jobs.empty()) {

@@ -1,3 +1,4 @@
+#include "ui/panels/tree_marks.h"
 #include "ui/panels/widgets.h"
 
 namespace hewn {
@@ -42,6 +43,7 @@ void draw_toolbar(Ui& ui, const PanelArea& area) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(6)});
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(6), ui.px(4)});
   begin_panel("toolbar", area, ImGuiWindowFlags_NoScrollbar);
+  if (ImGui::IsWindowHovered()) hover_nothing(ui.state);
   draw_tool(ui, icon::kPointer, "Select", Tool::Select, nullptr);
   draw_tool(ui, icon::kBox, "Box", Tool::Box, "Box selection");
   draw_tool(ui, icon::kLasso, "Lasso", Tool::Lasso, "Lasso selection");
