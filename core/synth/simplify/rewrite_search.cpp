@@ -46,10 +46,11 @@ class RewriteSearch {
     evaluate(current_, cells_);
     leaves_ = leaf_count(current_);
     keep_best();
-    const int steps = std::min(options_.most_steps, 400 + options_.steps_per_literal * leaves_);
+    const int steps = steps_from(leaves_);
     int last_gain = 0;
     for (int step = 0; step < steps; ++step) {
-      if (run_.should_stop() || resynthesis_.work() > options_.most_work) break;
+      if (is_best_possible() || run_.should_stop() || resynthesis_.work() > options_.most_work)
+        break;
       if (leaves_ <= 1 || step - last_gain > steps / 2) break;
       if (step % 64 == 0) run_.report("rewrite", static_cast<double>(step) / steps);
       const int before = leaves_;
@@ -60,6 +61,19 @@ class RewriteSearch {
   }
 
  private:
+  /// Less for what can hardly get smaller.
+  int steps_from(int leaves) const {
+    const int steps = std::min(options_.most_steps, 400 + options_.steps_per_literal * leaves);
+    if (options_.least_literals <= 0) return steps;
+    const double gap = static_cast<double>(leaves - options_.least_literals) / leaves;
+    return static_cast<int>(steps * std::clamp(4 * gap, 0.2, 1.0));
+  }
+
+  bool is_best_possible() const {
+    return options_.least_literals > 0 && best_size_ < 2 * options_.least_literals &&
+           best_proximity_ >= 1;
+  }
+
   /// Of formulas of one length the one with the best proximity, of those near enough first.
   void keep_best() {
     const int size = formula_size(current_);
