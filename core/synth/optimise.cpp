@@ -550,6 +550,14 @@ Result<OptimiseResult> optimise(const Tree& tree, const OptimiseOptions& options
                              "0.5",
                              options.tolerance)};
   }
+  const int literals = literal_count(tree);
+  if (literals > kMostOptimisedLiterals) {
+    return Error{
+        ErrorCode::TooLarge,
+        fmt::format("the tree has {} primitives, more than the {} that can be optimised at "
+                    "once; optimise its parts one by one",
+                    literals, kMostOptimisedLiterals)};
+  }
   return Optimiser(tree, options, run).work();
 }
 
