@@ -23,12 +23,6 @@ double polygon_distance(const Literal& s, const Vec2& p) {
 
 }  // namespace
 
-double circumradius(const Literal& prism) { return prism.radius / std::cos(kPi / prism.sides); }
-
-Vec2 prism_corner(const Literal& prism, int k) {
-  return circumradius(prism) * unit(2 * kPi * k / prism.sides);
-}
-
 Vec2 prism_side_normal(const Literal& prism, int k) {
   return unit(kPi * (2 * k + 1) / prism.sides);
 }

@@ -174,6 +174,30 @@ void complement(const Intervals& a, Intervals& out) {
 
 struct TreeRays::Ray {
   Vec3 origin, direction;
+  double reach = kInfinity;
+  Vec3 inverse;  ///< of the direction; where that is 0 it is not used
+
+  Ray(const Vec3& from, const Vec3& along, double length = kInfinity)
+      : origin(from), direction(along), reach(length), inverse(along.cwiseInverse()) {}
+
+  /// Whether it certainly passes the box by. Generous: bounds are computed apart from the surfaces
+  /// that they enclose.
+  bool misses(const Box3& box) const {
+    double enter = -kInfinity;
+    double leave = kInfinity;
+    for (int k = 0; k < 3; ++k) {
+      if (direction[k] == 0) {
+        if (origin[k] < box.lo[k] || origin[k] > box.hi[k]) return true;
+        continue;
+      }
+      const double a = (box.lo[k] - origin[k]) * inverse[k];
+      const double b = (box.hi[k] - origin[k]) * inverse[k];
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    }
+    const double slack = 1e-9 * (1 + std::abs(enter));
+    return enter > leave + slack || leave < -slack || enter > reach + slack;
+  }
 };
 
 TreeRays::TreeRays(const Tree& tree) : tree_(&tree) {
@@ -188,18 +212,9 @@ TreeRays::TreeRays(const Tree& tree) : tree_(&tree) {
   }
 }
 
-void TreeRays::cast_literal(int literal, const Ray& ray, Intervals& out) const {
-  out.clear();
-  Span reach;
-  for (int k = 0; k < 3; ++k) {
-    clip_slab(reach, ray.origin[k], ray.direction[k], bounds_[literal].lo[k],
-              bounds_[literal].hi[k], 0, 0);
-  }
+void TreeRays::append_literal(int literal, const Ray& ray, Intervals& out) const {
+  if (ray.misses(bounds_[literal])) return;
   const Literal& shape = tree_->literals[literal];
-  // Generous: bounds are computed apart from the surfaces that they enclose.
-  const double slack = 1e-9 * (1 + std::abs(reach.enter));
-  if (reach.enter > reach.leave + slack || reach.leave < 0) return;
-
   const Vec3 o = shape.to_local(ray.origin);
   const Vec3 d = shape.direction_to_local(ray.direction);
   Span span;
@@ -246,7 +261,8 @@ void TreeRays::cast_node(int node, const Ray& ray, std::size_t depth,
   if (scratch.lists.size() < base + 4) scratch.lists.resize(base + 4);
   const Node& here = tree_->nodes[node];
   if (here.op == Op::Literal) {
-    cast_literal(here.literal, ray, scratch.lists[base]);
+    scratch.lists[base].clear();
+    append_literal(here.literal, ray, scratch.lists[base]);
     return;
   }
   scratch.lists[base].clear();
@@ -280,14 +296,26 @@ void TreeRays::cast_node(int node, const Ray& ray, std::size_t depth,
 
 void TreeRays::cast_literal(int literal, const Vec3& origin, const Vec3& direction,
                             Intervals& out) const {
-  cast_literal(literal, {origin, direction}, out);
+  out.clear();
+  append_literal(literal, {origin, direction}, out);
+}
+
+void TreeRays::cast_literals(const Vec3& origin, const Vec3& direction, Intervals& out) const {
+  out.clear();
+  const Ray ray(origin, direction);
+  for (std::size_t k = 0; k < bounds_.size(); ++k) append_literal(static_cast<int>(k), ray, out);
 }
 
 const Intervals& TreeRays::cast(const Vec3& origin, const Vec3& direction,
                                 TreeRayScratch& scratch) const {
+  return cast_within(origin, direction, kInfinity, scratch);
+}
+
+const Intervals& TreeRays::cast_within(const Vec3& origin, const Vec3& direction, double reach,
+                                       TreeRayScratch& scratch) const {
   if (scratch.lists.empty()) scratch.lists.resize(4);
   scratch.lists[0].clear();
-  if (!tree_->is_empty()) cast_node(tree_->root, {origin, direction}, 0, scratch);
+  if (!tree_->is_empty()) cast_node(tree_->root, {origin, direction, reach}, 0, scratch);
   std::erase_if(scratch.lists[0], [](const TreeInterval& s) { return s.leave.t <= 0; });
   return scratch.lists[0];
 }

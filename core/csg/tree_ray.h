@@ -33,9 +33,16 @@ class TreeRays {
   /// All stretches with t > 0 inside the solid, ascending. Cost: O(literals) for small results.
   const std::vector<TreeInterval>& cast(const Vec3& origin, const Vec3& direction,
                                         TreeRayScratch& scratch) const;
+  /// The same as far as t <= `reach`; what lies beyond may be missing or wrong. Only literals whose
+  /// bounds the ray meets on that way are looked at.
+  const std::vector<TreeInterval>& cast_within(const Vec3& origin, const Vec3& direction,
+                                               double reach, TreeRayScratch& scratch) const;
   /// The stretches inside one literal with leave.t > 0, ascending; replaces `out`.
   void cast_literal(int literal, const Vec3& origin, const Vec3& direction,
                     std::vector<TreeInterval>& out) const;
+  /// Those of all literals, by literal; replaces `out`.
+  void cast_literals(const Vec3& origin, const Vec3& direction,
+                     std::vector<TreeInterval>& out) const;
   /// The unit normal at a crossing's position, on the side that `direction` comes from: outward
   /// for the ray's own direction where it enters, for the opposite one where it leaves.
   Vec3 normal(const TreeCrossing& crossing, const Vec3& position, const Vec3& direction) const;
@@ -44,7 +51,7 @@ class TreeRays {
  private:
   struct Ray;
   void cast_node(int node, const Ray& ray, std::size_t depth, TreeRayScratch& scratch) const;
-  void cast_literal(int literal, const Ray& ray, std::vector<TreeInterval>& out) const;
+  void append_literal(int literal, const Ray& ray, std::vector<TreeInterval>& out) const;
 
   const Tree* tree_;
   std::vector<Box3> bounds_;                              ///< of each literal

@@ -5,62 +5,16 @@
 #include <utility>
 #include <vector>
 
-#include <BRepMesh_IncrementalMesh.hxx>
-#include <BRep_Tool.hxx>
-#include <Poly_Triangulation.hxx>
-#include <Standard_Failure.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopLoc_Location.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Face.hxx>
 #include <fmt/format.h>
 
 #include "core/base/rng.h"
-#include "core/io/brep.h"
+#include "core/io/brep/module.h"
 #include "core/mesh/load.h"
 #include "core/mesh/query.h"
 #include "core/mesh/sampling.h"
 
 namespace hewn {
 namespace {
-
-struct TriangleSoup {
-  std::vector<Vec3> vertices;
-  std::vector<Triangle> triangles;
-};
-
-void append_face(const TopoDS_Face& face, const Brep& brep, TriangleSoup& soup) {
-  TopLoc_Location location;
-  const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
-  if (mesh.IsNull()) return;
-  const int base = static_cast<int>(soup.vertices.size());
-  for (int i = 1; i <= mesh->NbNodes(); ++i) {
-    const gp_Pnt p = mesh->Node(i).Transformed(location.Transformation());
-    soup.vertices.push_back(brep.center + Vec3(p.X(), p.Y(), p.Z()) / brep.scale);
-  }
-  for (int i = 1; i <= mesh->NbTriangles(); ++i) {
-    int a = 0;
-    int b = 0;
-    int c = 0;
-    mesh->Triangle(i).Get(a, b, c);
-    if (face.Orientation() == TopAbs_REVERSED) std::swap(b, c);
-    soup.triangles.push_back({base + a - 1, base + b - 1, base + c - 1});
-  }
-}
-
-Result<TriangleSoup> triangulated(const Brep& brep, const TessellationOptions& options) {
-  try {
-    const BRepMesh_IncrementalMesh mesher(brep.shape, options.deflection * kBrepDiagonal, false,
-                                          options.angle_deg * kPi / 180, false);
-    TriangleSoup soup;
-    for (TopExp_Explorer e(brep.shape, TopAbs_FACE); e.More(); e.Next()) {
-      append_face(TopoDS::Face(e.Current()), brep, soup);
-    }
-    return soup;
-  } catch (const Standard_Failure&) {
-    return Error{ErrorCode::Internal, "OpenCASCADE could not tessellate the solid", "mesh export"};
-  }
-}
 
 /// Share of the check points that mesh and tree classify differently, those near the surface aside.
 double disagreement(const Tree& tree, const Mesh& mesh, const TessellationOptions& options) {
@@ -80,11 +34,11 @@ double disagreement(const Tree& tree, const Mesh& mesh, const TessellationOption
   return checked > 0 ? static_cast<double>(wrong) / checked : 0;
 }
 
-Result<Mesh> try_strategy(const Tree& tree, BooleanStrategy strategy,
-                          const TessellationOptions& options, const RunContext& run) {
-  const Result<Brep> brep = build_brep(tree, strategy, run);
-  if (!brep) return brep.error();
-  Result<TriangleSoup> soup = triangulated(*brep, options);
+Result<Mesh> try_strategy(const BrepFunctions& functions, const Tree& tree,
+                          BooleanStrategy strategy, const TessellationOptions& options,
+                          const RunContext& run) {
+  Result<TriangleSoup> soup = functions.triangulate({tree, tree.bounds()}, strategy,
+                                                    options.angle_deg, options.deflection, run);
   if (!soup) return soup.error();
   if (soup->triangles.empty()) {
     return Error{ErrorCode::Internal, "the Booleans left no surface", "mesh export"};
@@ -115,11 +69,13 @@ Result<Mesh> tessellate(const Tree& tree, const TessellationOptions& options,
     return Error{ErrorCode::InvalidArgument,
                  "the angle must be in (0, 90] degrees and the deflection positive", "mesh export"};
   }
+  const Result<const BrepFunctions*> functions = brep_functions();
+  if (!functions) return functions.error();
   const Tree plain = without_complements(tree);
   Error last;
   for (const BooleanStrategy strategy :
        {BooleanStrategy::Together, BooleanStrategy::Pairwise, BooleanStrategy::Fuzzy}) {
-    Result<Mesh> mesh = try_strategy(plain, strategy, options, run);
+    Result<Mesh> mesh = try_strategy(**functions, plain, strategy, options, run);
     if (mesh) return mesh;
     last = mesh.error();
     if (last.code == ErrorCode::Cancelled || last.code == ErrorCode::InvalidArgument) return last;

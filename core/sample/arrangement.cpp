@@ -17,6 +17,14 @@ constexpr double kResolution = 1e-6;  ///< share of the scale
 constexpr double kUncertain = 1e-9;
 constexpr double kUncertainMesh = 3e-7;  ///< of a polyhedron's diagonal: rays in single precision
 
+/// `Box3::contains` of a box grown by `margin`, leaving at the first side that `p` is beyond.
+bool reaches(const Box3& box, const Vec3& p, double margin) {
+  for (int k = 0; k < 3; ++k) {
+    if (p[k] < box.lo[k] - margin || p[k] > box.hi[k] + margin) return false;
+  }
+  return true;
+}
+
 /// Cells found by one chunk of work, each once.
 struct Finds {
   std::vector<Vec3> points;
@@ -48,6 +56,8 @@ struct Scene {
   Box3 box;  ///< of all literals
   const ArrangementOptions& options;
   std::uint64_t seed;
+  std::vector<std::vector<FacePlane>> planes;   ///< of each literal
+  std::vector<std::pair<int, int>> neighbours;  ///< literals whose bounds meet
 };
 
 /// Walks lines and circles through the arrangement.
@@ -62,13 +72,10 @@ class Walker {
     const double reach = 2 * scene_.box.diagonal() + (probe.point - scene_.box.center()).norm();
     const Vec3 from = probe.point - reach * probe.direction;
     events_.clear();
-    const int literals = static_cast<int>(scene_.arrangement.literals.size());
-    for (int k = 0; k < literals; ++k) {
-      scene_.rays.cast_literal(k, from, probe.direction, stretches_);
-      for (const TreeInterval& s : stretches_) {
-        events_.push_back({s.enter.t, k});
-        events_.push_back({s.leave.t, k});
-      }
+    scene_.rays.cast_literals(from, probe.direction, stretches_);
+    for (const TreeInterval& s : stretches_) {
+      events_.push_back({s.enter.t, s.enter.literal});
+      events_.push_back({s.leave.t, s.leave.literal});
     }
     std::sort(events_.begin(), events_.end());
     std::fill(signature_.begin(), signature_.end(), 0);
@@ -86,12 +93,10 @@ class Walker {
 
   /// Samples around the circle, and between samples that more than one surface separates.
   void circle(const ProbeCircle& probe) {
-    std::vector<Word> first;
     std::vector<Word> last;
     for (int k = 0; k <= kSamples; ++k) {
       const double angle = 2 * kPi * k / kSamples;
       std::vector<Word> here = at(probe, angle);
-      if (k == 0) first = here;
       if (k > 0) refine(probe, angle - 2 * kPi / kSamples, angle, last, here, 0);
       last = std::move(here);
     }
@@ -143,8 +148,7 @@ void walk_volume(const Scene& scene, std::size_t chunk, Finds& finds) {
   Walker walker(scene, finds);
   const std::size_t literals = scene.arrangement.literals.size();
   for (int i = 0; i < kLinesPerChunk; ++i) {
-    const Box3 box =
-        i % 2 == 0 ? scene.box : scene.arrangement.literals[rng.below(literals)].bounds();
+    const Box3 box = i % 2 == 0 ? scene.box : scene.arrangement.bounds[rng.below(literals)];
     const Vec3 a = point_in(box, rng);
     const Vec3 b = point_in(box, rng);
     const Vec3 d = i % 8 < 3 ? Vec3(Vec3::Unit(i % 3)) : Vec3(b - a);
@@ -152,38 +156,136 @@ void walk_volume(const Scene& scene, std::size_t chunk, Finds& finds) {
   }
 }
 
+/// In rounds, until one finds nothing new.
 void walk_faces(const Scene& scene, std::size_t literal, Finds& finds) {
+  constexpr int kRounds = 4;
+  const auto share = [](int count) { return (count + kRounds - 1) / kRounds; };
   Rng rng(scene.seed, 2 * literal + 1);
   Walker walker(scene, finds);
-  const Probes probes = probes_of(scene.arrangement.literals[literal], scene.arrangement.resolution,
-                                  scene.options.lines_per_face, scene.options.curves_per_face, rng);
-  for (const ProbeLine& line : probes.lines) walker.line(line);
-  for (const ProbeCircle& circle : probes.circles) walker.circle(circle);
+  for (int round = 0; round < kRounds; ++round) {
+    const ProbeOptions options{scene.arrangement.resolution, share(scene.options.lines_per_face),
+                               share(scene.options.curves_per_face), round == 0};
+    const Probes probes = probes_of(scene.arrangement.literals[literal], options, rng);
+    const std::size_t before = finds.points.size();
+    for (const ProbeLine& line : probes.lines) walker.line(line);
+    for (const ProbeCircle& circle : probes.circles) walker.circle(circle);
+    if (finds.points.size() == before) return;
+  }
 }
 
-/// Along the common line of two planes of different literals, in all four wedges.
-void walk_crossings(const Scene& scene, std::size_t chunk, Finds& finds) {
-  Rng rng(scene.seed ^ 0xC0FFEE, chunk);
-  Walker walker(scene, finds);
-  const auto& literals = scene.arrangement.literals;
-  for (int i = 0; i < kLinesPerChunk / 4; ++i) {
-    const std::size_t a = rng.below(literals.size());
-    const std::size_t b = rng.below(literals.size());
-    const auto planes_a = planes_of(literals[a]);
-    const auto planes_b = planes_of(literals[b]);
-    if (a == b || planes_a.empty() || planes_b.empty()) continue;
-    const FacePlane& p = planes_a[rng.below(planes_a.size())];
-    const FacePlane& q = planes_b[rng.below(planes_b.size())];
-    const Vec3 along = p.normal.cross(q.normal);
-    const double sine2 = along.squaredNorm();
-    if (sine2 < 1e-10) continue;
-    for (int k = 0; k < 4; ++k) {
-      const double side = scene.arrangement.resolution;
-      const double at_p = p.normal.dot(p.point) + ((k & 1) ? side : -side);
-      const double at_q = q.normal.dot(q.point) + ((k & 2) ? side : -side);
-      const Vec3 point = (at_p * q.normal.cross(along) + at_q * along.cross(p.normal)) / sine2;
-      walker.line({point, along / std::sqrt(sine2)});
+/// Pairs of literals that may cut each other, the second from `first` on.
+std::vector<std::pair<int, int>> neighbours_of(const Arrangement& arrangement, std::size_t first) {
+  std::vector<std::pair<int, int>> pairs;
+  const Vec3 margin = Vec3::Constant(2 * arrangement.resolution);
+  for (std::size_t b = first; b < arrangement.bounds.size(); ++b) {
+    const Vec3 lo = arrangement.bounds[b].lo - margin;
+    const Vec3 hi = arrangement.bounds[b].hi + margin;
+    for (std::size_t a = 0; a < b; ++a) {
+      const Box3& other = arrangement.bounds[a];
+      if ((other.lo.array() > hi.array()).any() || (other.hi.array() < lo.array()).any()) continue;
+      pairs.emplace_back(static_cast<int>(a), static_cast<int>(b));
     }
+  }
+  return pairs;
+}
+
+/// Two planes of different literals.
+struct Crossing {
+  const FacePlane* p;
+  const FacePlane* q;
+};
+
+/// All pairs of planes of neighbours when they are few, else random ones.
+std::vector<Crossing> crossings_of(const Scene& scene, std::size_t most) {
+  std::size_t count = 0;
+  for (const auto& [a, b] : scene.neighbours) {
+    count += scene.planes[static_cast<std::size_t>(a)].size() *
+             scene.planes[static_cast<std::size_t>(b)].size();
+  }
+  std::vector<Crossing> out;
+  if (count <= most) {
+    for (const auto& [a, b] : scene.neighbours) {
+      for (const FacePlane& p : scene.planes[static_cast<std::size_t>(a)]) {
+        for (const FacePlane& q : scene.planes[static_cast<std::size_t>(b)]) {
+          out.push_back({&p, &q});
+        }
+      }
+    }
+    return out;
+  }
+  Rng rng(scene.seed ^ 0xC0FFEE, 0);
+  for (std::size_t i = 0; i < most; ++i) {
+    const auto& [a, b] = scene.neighbours[rng.below(scene.neighbours.size())];
+    const auto& of_a = scene.planes[static_cast<std::size_t>(a)];
+    const auto& of_b = scene.planes[static_cast<std::size_t>(b)];
+    if (of_a.empty() || of_b.empty()) continue;
+    const FacePlane& p = of_a[rng.below(of_a.size())];
+    const FacePlane& q = of_b[rng.below(of_b.size())];
+    out.push_back({&p, &q});
+  }
+  return out;
+}
+
+/// Along the common line of two planes, in all four wedges.
+void walk_crossing(const Scene& scene, const Crossing& crossing, Walker& walker) {
+  const FacePlane& p = *crossing.p;
+  const FacePlane& q = *crossing.q;
+  const Vec3 along = p.normal.cross(q.normal);
+  const double sine2 = along.squaredNorm();
+  if (sine2 < 1e-10) return;
+  for (int k = 0; k < 4; ++k) {
+    const double side = scene.arrangement.resolution;
+    const double at_p = p.normal.dot(p.point) + ((k & 1) ? side : -side);
+    const double at_q = q.normal.dot(q.point) + ((k & 2) ? side : -side);
+    const Vec3 point = (at_p * q.normal.cross(along) + at_q * along.cross(p.normal)) / sine2;
+    walker.line({point, along / std::sqrt(sine2)});
+  }
+}
+
+/// Adds what the chunks found to what is known. Returns how much of it is new.
+std::size_t merge_finds(const std::vector<Finds>& chunks, std::size_t stride, std::size_t most,
+                        Finds& all) {
+  const std::size_t before = all.points.size();
+  for (const Finds& f : chunks) {
+    for (std::size_t i = 0; i < f.points.size() && all.points.size() < most; ++i) {
+      all.add(f.points[i], f.signatures.data() + i * stride, stride);
+    }
+  }
+  return all.points.size() - before;
+}
+
+/// Along the faces of every literal from `first` on, and where faces of two literals cross.
+void walk_along_faces(const Scene& scene, std::size_t first, const RunContext& run, Finds& all) {
+  const std::size_t faces = scene.arrangement.literals.size() - first;
+  const auto crossings =
+      crossings_of(scene, static_cast<std::size_t>(std::max(0, scene.options.crossing_lines)));
+  const std::size_t chunks = (crossings.size() + kLinesPerChunk - 1) / kLinesPerChunk;
+  std::vector<Finds> finds(faces + chunks);
+  for_each_index(run.threads, finds.size(), [&](std::size_t i) {
+    if (run.is_cancelled()) return;
+    if (i < faces) {
+      walk_faces(scene, first + i, finds[i]);
+      return;
+    }
+    Walker walker(scene, finds[i]);
+    const std::size_t begin = (i - faces) * kLinesPerChunk;
+    const std::size_t end = std::min(begin + kLinesPerChunk, crossings.size());
+    for (std::size_t k = begin; k < end; ++k) walk_crossing(scene, crossings[k], walker);
+  });
+  merge_finds(finds, scene.arrangement.stride, scene.options.most_cells, all);
+}
+
+/// Random lines, batch by batch, until one finds nothing new.
+void walk_through_volume(const Scene& scene, const RunContext& run, Finds& all) {
+  constexpr std::size_t kChunksPerBatch = 4;
+  const std::size_t most =
+      1 + static_cast<std::size_t>(scene.options.volume_lines) / kLinesPerChunk;
+  for (std::size_t done = 0; done < most && !run.is_cancelled();) {
+    std::vector<Finds> finds(std::min(kChunksPerBatch, most - done));
+    for_each_index(run.threads, finds.size(),
+                   [&](std::size_t i) { walk_volume(scene, done + i, finds[i]); });
+    done += finds.size();
+    if (merge_finds(finds, scene.arrangement.stride, scene.options.most_cells, all) == 0) return;
   }
 }
 
@@ -193,11 +295,13 @@ bool classify(const Arrangement& arrangement, const Vec3& p, Word* signature) {
   std::fill(signature, signature + arrangement.stride, 0);
   for (std::size_t k = 0; k < arrangement.literals.size(); ++k) {
     const Literal& s = arrangement.literals[k];
-    const double d = s.signed_distance(p);
     double margin = kUncertain * arrangement.scale;
     if (s.kind == SolidKind::Polyhedron && s.polyhedron) {
       margin = std::max(margin, kUncertainMesh * s.polyhedron->diagonal());
     }
+    // Bounds are rounded, too.
+    if (!reaches(arrangement.bounds[k], p, 2 * margin)) continue;
+    const double d = s.signed_distance(p);
     if (std::abs(d) < margin) return false;
     if (d < 0) set_bit(signature, k);
   }
@@ -208,6 +312,7 @@ ArrangementSampler::ArrangementSampler(std::vector<Literal> literals, double sca
   out_.literals = std::move(literals);
   out_.stride = std::max<std::size_t>(1, (out_.literals.size() + 63) / 64);
   out_.scale = scale;
+  for (const Literal& s : out_.literals) out_.bounds.push_back(s.bounds());
   out_.resolution = kResolution * scale;
 }
 
@@ -256,36 +361,19 @@ Result<std::size_t> ArrangementSampler::sample(const ArrangementOptions& options
   Tree tree;
   tree.literals = out_.literals;
   const TreeRays rays(tree);
-  Scene scene{out_, rays, {}, options, run.seed + 977 * options.stream};
-  for (const Literal& s : out_.literals) {
-    const Box3 box = s.bounds();
+  Scene scene{out_, rays, {}, options, run.seed + 977 * options.stream, {}, {}};
+  for (const Box3& box : out_.bounds) {
     scene.box.extend(box.lo);
     scene.box.extend(box.hi);
   }
+  for (const Literal& s : out_.literals) scene.planes.push_back(planes_of(s));
   const std::size_t literals = out_.literals.size();
-  const std::size_t volume = 1 + static_cast<std::size_t>(options.volume_lines) / kLinesPerChunk;
-  const std::size_t crossings =
-      static_cast<std::size_t>(options.crossing_lines) / (kLinesPerChunk / 4);
   const std::size_t first = std::min(options.first_literal, literals);
-  const std::size_t faces = literals - first;
-  std::vector<Finds> finds(volume + faces + crossings);
-  for_each_index(run.threads, finds.size(), [&](std::size_t i) {
-    if (run.is_cancelled()) return;
-    if (i < volume) {
-      walk_volume(scene, i, finds[i]);
-    } else if (i < volume + faces) {
-      walk_faces(scene, first + i - volume, finds[i]);
-    } else {
-      walk_crossings(scene, i - volume - faces, finds[i]);
-    }
-  });
+  scene.neighbours = neighbours_of(out_, first);
   // Lines tell cells by counting crossings; the points themselves have the last word.
   Finds all;
-  for (const Finds& f : finds) {
-    for (std::size_t i = 0; i < f.points.size() && all.points.size() < options.most_cells; ++i) {
-      all.add(f.points[i], f.signatures.data() + i * out_.stride, out_.stride);
-    }
-  }
+  walk_along_faces(scene, first, run, all);
+  walk_through_volume(scene, run, all);
   std::vector<Vec3> points = std::move(all.points);
   const Vec3 far = scene.box.hi + Vec3::Constant(out_.scale);
   points.push_back(far);

@@ -16,7 +16,8 @@ namespace hewn {
 /// intersection terms, Friedrich et al. 2020, section 3.1.1).
 struct Arrangement {
   std::vector<Literal> literals;
-  std::size_t stride = 0;  ///< words per signature
+  std::vector<Box3> bounds;  ///< of each literal
+  std::size_t stride = 0;    ///< words per signature
   std::vector<Vec3> points;
   std::vector<Word> signatures;  ///< bit k: the cell's point is inside literal k
   double scale = 1;              ///< the length to which tolerances relate
@@ -31,10 +32,11 @@ struct Arrangement {
 };
 
 struct ArrangementOptions {
+  // All but the last are upper bounds: a batch that finds nothing new is the last of its kind.
   int volume_lines = 3000;    ///< random lines through the literals' common box
   int lines_per_face = 12;    ///< of each side of a face
   int curves_per_face = 6;    ///< circles on each side of a round face
-  int crossing_lines = 3000;  ///< along common lines of two planes, beside those on edges
+  int crossing_lines = 3000;  ///< common lines of two planes of neighbours; all when they are fewer
   std::size_t most_cells = 250'000;
   /// Lines along faces are drawn for literals from this index on.
   std::size_t first_literal = 0;

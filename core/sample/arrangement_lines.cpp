@@ -11,24 +11,29 @@ namespace {
 /// Writes probes of one literal in its local coordinates and moves them into space.
 class ProbeMaker {
  public:
-  ProbeMaker(const Literal& literal, double offset, int lines, int circles, Rng& rng)
-      : s_(literal), offset_(offset), lines_(lines), circles_(circles), rng_(rng) {
+  ProbeMaker(const Literal& literal, const ProbeOptions& options, Rng& rng)
+      : s_(literal),
+        offset_(options.offset),
+        lines_(options.lines_per_face),
+        circles_(options.circles_per_face),
+        has_edges_(options.has_edges),
+        rng_(rng) {
     // Local lengths of a stretched literal are not those of space.
-    if (s_.stretch) offset_ = offset / std::max(1e-12, s_.stretch->matrix.norm());
+    if (s_.stretch) offset_ /= std::max(1e-12, s_.stretch->matrix.norm());
   }
 
   Probes run() {
     switch (s_.kind) {
       case SolidKind::Box:
         box_faces();
-        box_edges();
+        if (has_edges_) box_edges();
         break;
       case SolidKind::Cylinder:
         flank();
         caps();
         break;
       case SolidKind::Prism:
-        polyhedron(prism_mesh(s_));
+        if (has_edges_) polyhedron(prism_mesh(s_));
         break;
       case SolidKind::Sphere:
         for (const double side : {-1.0, 1.0}) sphere(s_.radius + side * offset_);
@@ -37,7 +42,7 @@ class ProbeMaker {
         for (const double side : {-1.0, 1.0}) torus(s_.radius + side * offset_);
         break;
       case SolidKind::Polyhedron:
-        if (s_.polyhedron) polyhedron(*s_.polyhedron);
+        if (has_edges_ && s_.polyhedron) polyhedron(*s_.polyhedron);
         break;
     }
     return std::move(out_);
@@ -109,7 +114,7 @@ class ProbeMaker {
       const double z = rng_.uniform(0, s_.height);
       ring(z, radius_at(z) + (k % 2 == 0 ? across : -across));
     }
-    for (int k = 0; k < 8; ++k) {
+    for (int k = 0; k < (has_edges_ ? 8 : 0); ++k) {
       const double z = ((k & 1) ? s_.height : 0) + ((k & 2) ? offset_ : -offset_);
       ring(z, radius_at(z) + ((k & 4) ? across : -across));
     }
@@ -140,9 +145,10 @@ class ProbeMaker {
   }
 
   void sphere(double r) {
-    for (int k = 0; k < 2 * circles_; ++k) {
-      const Vec3 axis = k < 3 ? Vec3(Vec3::Unit(k)) : random_direction();
-      const double height = k < 3 ? 0 : rng_.uniform(-0.95, 0.95);
+    const int great = has_edges_ ? 3 : 0;
+    for (int k = 0; k < great + 2 * circles_; ++k) {
+      const Vec3 axis = k < great ? Vec3(Vec3::Unit(k)) : random_direction();
+      const double height = k < great ? 0 : rng_.uniform(-0.95, 0.95);
       const Tangents t = tangents(axis);
       const double across = r * std::sqrt(1 - height * height);
       circle(axis * (r * height), t.u * across, t.w * across);
@@ -182,15 +188,15 @@ class ProbeMaker {
   const Literal& s_;
   double offset_;
   int lines_, circles_;
+  bool has_edges_;
   Rng& rng_;
   Probes out_;
 };
 
 }  // namespace
 
-Probes probes_of(const Literal& literal, double offset, int lines_per_face, int circles_per_face,
-                 Rng& rng) {
-  return ProbeMaker(literal, offset, lines_per_face, circles_per_face, rng).run();
+Probes probes_of(const Literal& literal, const ProbeOptions& options, Rng& rng) {
+  return ProbeMaker(literal, options, rng).run();
 }
 
 std::vector<FacePlane> planes_of(const Literal& s) {

@@ -23,10 +23,15 @@ struct Probes {
   std::vector<ProbeCircle> circles;
 };
 
-/// Lines and circles that run `offset` inside and outside of the literal's faces, some of them
-/// along its edges. `lines_per_face` and `circles_per_face` are counts for each side of a face.
-Probes probes_of(const Literal& literal, double offset, int lines_per_face, int circles_per_face,
-                 Rng& rng);
+struct ProbeOptions {
+  double offset = 0;         ///< from the face
+  int lines_per_face = 3;    ///< for each side of a face
+  int circles_per_face = 2;  ///< likewise
+  bool has_edges = true;     ///< also along edges, rims and great circles, and on polyhedra
+};
+
+/// Lines and circles that run beside the literal's faces, inside and outside.
+Probes probes_of(const Literal& literal, const ProbeOptions& options, Rng& rng);
 
 /// A plane of a literal's boundary.
 struct FacePlane {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -30,54 +31,83 @@ constexpr std::size_t kEnoughDifferent = 100;
 constexpr std::size_t kParts = 64;
 constexpr int kSplitDepth = 2;  ///< levels above the parallel loop
 
-/// A tree in postfix order over words: one per literal.
+/// A tree in postfix order over words: one per literal. Operations whose right operand is a literal
+/// take it from where it is.
 class WordProgram {
  public:
   WordProgram(const Tree& tree, const std::vector<int>& literal_of) {
     if (!tree.is_empty()) append(tree, tree.root, literal_of);
+    if (steps_.empty()) push(-1);
   }
 
   std::uint64_t run(const std::vector<std::uint64_t>& literals,
                     std::vector<std::uint64_t>& stack) const {
-    stack.clear();
+    if (stack.size() < deepest_ + 1) stack.resize(deepest_ + 1);
+    std::uint64_t* top = stack.data();  // one beyond the last value
     for (const Step& step : steps_) {
-      if (step.op == Op::Literal) {
-        stack.push_back(step.literal < 0 ? 0 : literals[static_cast<std::size_t>(step.literal)]);
-      } else if (step.op == Op::Complement) {
-        stack.back() = ~stack.back();
-      } else {
-        const std::uint64_t right = stack.back();
-        stack.pop_back();
-        std::uint64_t& left = stack.back();
-        if (step.op == Op::Union) left |= right;
-        if (step.op == Op::Intersection) left &= right;
-        if (step.op == Op::Difference) left &= ~right;
+      const std::uint64_t right = step.literal >= 0
+                                      ? literals[static_cast<std::size_t>(step.literal)]
+                                  : step.pops_right ? *--top
+                                                    : 0;
+      switch (step.op) {
+        case Op::Literal:
+          *top++ = right;
+          break;
+        case Op::Complement:
+          top[-1] = ~top[-1];
+          break;
+        case Op::Union:
+          top[-1] |= right;
+          break;
+        case Op::Intersection:
+          top[-1] &= right;
+          break;
+        case Op::Difference:
+          top[-1] &= ~right;
+          break;
       }
     }
-    return stack.empty() ? 0 : stack.back();
+    return top[-1];
   }
 
  private:
   struct Step {
-    Op op;
-    int literal;
+    Op op = Op::Literal;  ///< `Literal` pushes
+    int literal = -1;     ///< right operand; -1: see below
+    bool pops_right = false;
   };
 
+  void push(int literal) {
+    steps_.push_back({Op::Literal, literal, false});
+    deepest_ = std::max(deepest_, ++depth_);
+  }
+
   void append(const Tree& tree, int index, const std::vector<int>& literal_of) {
-    const Node& node = tree.nodes[index];
+    const Node& node = tree.nodes[static_cast<std::size_t>(index)];
     if (node.op == Op::Literal) {
-      steps_.push_back({Op::Literal, literal_of[static_cast<std::size_t>(node.literal)]});
+      push(literal_of[static_cast<std::size_t>(node.literal)]);
       return;
     }
-    if (node.children.empty()) steps_.push_back({Op::Literal, -1});
+    if (node.children.empty()) push(-1);
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       append(tree, node.children[i], literal_of);
-      if (i > 0) steps_.push_back({node.op, -1});
+      if (i > 0) join(node.op);
     }
-    if (node.op == Op::Complement) steps_.push_back({Op::Complement, -1});
+    if (node.op == Op::Complement) steps_.push_back({Op::Complement, -1, false});
+  }
+
+  /// With the value on top as the right operand.
+  void join(Op op) {
+    --depth_;
+    if (steps_.back().op == Op::Literal) {
+      steps_.back().op = op;
+    } else {
+      steps_.push_back({op, -1, true});
+    }
   }
 
   std::vector<Step> steps_;
+  std::size_t depth_ = 0, deepest_ = 0;
 };
 
 /// A box of the octree with the literals whose surfaces may pass through it.
@@ -101,6 +131,7 @@ class TreeComparison {
     program_b_ = std::make_unique<WordProgram>(b, of_b);
     for (const Literal& s : literals_) {
       const Box3 box = s.bounds();
+      bounds_.push_back(box);
       if (box.is_empty()) continue;
       box_.extend(box.lo);
       box_.extend(box.hi);
@@ -185,8 +216,14 @@ class TreeComparison {
     const double radius = cell.box.diagonal() / 2 * (1 + 1e-9) + kUncertain * scale_;
     const Vec3 center = cell.box.center();
     for (const int literal : parent.open) {
-      const double d = literals_[static_cast<std::size_t>(literal)].signed_distance(center);
-      if (std::abs(d) <= radius + mesh_margin(literal)) {
+      const double reach = radius + mesh_margin(literal);
+      // Beyond its bounds a literal is outside, and cheaper to tell.
+      const bool is_beyond =
+          !bounds_[static_cast<std::size_t>(literal)].contains(center, 2 * reach);
+      const double d = is_beyond
+                           ? kInfinity
+                           : literals_[static_cast<std::size_t>(literal)].signed_distance(center);
+      if (std::abs(d) <= reach) {
         cell.open.push_back(literal);
       } else {
         cell.values[static_cast<std::size_t>(literal)] = d < 0 ? ~std::uint64_t{0} : 0;
@@ -236,28 +273,53 @@ class TreeComparison {
         out.proved_share += volume(cell.box);
       } else {
         ++out.open_cells;
-        for (int i = 0; i < all.options_.points_per_open_cell; ++i) test_point(cell);
+        test_points(cell, all.options_.points_per_open_cell);
       }
       owed += static_cast<double>(all.options_.points) * volume(cell.box) / volume(all.box_);
-      for (; owed >= 1; owed -= 1) test_point(cell);
+      while (owed >= 1 && !all.run_.is_cancelled()) {
+        const int count = static_cast<int>(std::min(owed, 64.0));
+        owed -= count;
+        test_points(cell, count);
+      }
     }
 
-    void test_point(Cell& cell) {
-      Vec3 p;
-      for (int k = 0; k < 3; ++k) p[k] = rng.uniform(cell.box.lo[k], cell.box.hi[k]);
-      for (const int literal : cell.open) {
-        const double d = all.literals_[static_cast<std::size_t>(literal)].signed_distance(p);
-        if (std::abs(d) < kUncertain * all.scale_ + all.mesh_margin(literal)) return;
-        cell.values[static_cast<std::size_t>(literal)] = d < 0 ? ~std::uint64_t{0} : 0;
+    /// Random points of the cell, at most 64, one in each bit.
+    void test_points(Cell& cell, int count) {
+      Vec3 points[64];
+      for (const int literal : cell.open) cell.values[static_cast<std::size_t>(literal)] = 0;
+      std::uint64_t certain = 0;
+      for (int i = 0; i < count; ++i) {
+        for (int k = 0; k < 3; ++k) points[i][k] = rng.uniform(cell.box.lo[k], cell.box.hi[k]);
+        if (is_certain(points[i], std::uint64_t{1} << i, cell)) certain |= std::uint64_t{1} << i;
       }
-      ++out.points;
-      const bool in_a = (all.program_a_->run(cell.values, stack) & 1) != 0;
-      const bool in_b = (all.program_b_->run(cell.values, stack) & 1) != 0;
-      if (in_a == in_b) return;
+      out.points += static_cast<std::size_t>(std::popcount(certain));
+      const std::uint64_t in_a = all.program_a_->run(cell.values, stack);
+      const std::uint64_t in_b = all.program_b_->run(cell.values, stack);
+      for (const int literal : cell.open) cell.values[static_cast<std::size_t>(literal)] = 0;
+      for (std::uint64_t wrong = (in_a ^ in_b) & certain; wrong != 0; wrong &= wrong - 1) {
+        judge(points[std::countr_zero(wrong)]);
+      }
+    }
+
+    /// Sets the point's bit in the values of the literals that hold it.
+    bool is_certain(const Vec3& p, std::uint64_t bit, Cell& cell) const {
+      for (const int literal : cell.open) {
+        const auto k = static_cast<std::size_t>(literal);
+        const double margin = kUncertain * all.scale_ + all.mesh_margin(literal);
+        if (!all.bounds_[k].contains(p, 2 * margin)) continue;
+        const double d = all.literals_[k].signed_distance(p);
+        if (std::abs(d) < margin) return false;
+        if (d < 0) cell.values[k] |= bit;
+      }
+      return true;
+    }
+
+    /// A point inside one solid only.
+    void judge(const Vec3& p) {
       const double allowed = all.options_.allowed_distance;
       const bool is_measured = out.different + out.tolerated < kMostMeasured;
       const double d = distance_along_rays(all.rays_, p, is_measured ? 0 : allowed);
-      out.largest_distance = std::max(out.largest_distance, d);
+      if (is_measured || d <= allowed) out.largest_distance = std::max(out.largest_distance, d);
       if (d <= allowed) {
         ++out.tolerated;
         return;
@@ -271,6 +333,7 @@ class TreeComparison {
   const RunContext& run_;
   TreeRays rays_;
   std::vector<Literal> literals_;
+  std::vector<Box3> bounds_;  ///< of each literal
   std::unique_ptr<WordProgram> program_a_, program_b_;
   Box3 box_;
   double scale_ = 1;
@@ -282,10 +345,11 @@ class TreeComparison {
 double distance_along_rays(const TreeRays& rays, const Vec3& p, double enough) {
   TreeRayScratch scratch;
   double nearest = kInfinity;
+  const double reach = enough > 0 ? enough : kInfinity;
   for (int k = 0; k < 27; ++k) {
     const Vec3 d(k % 3 - 1, (k / 3) % 3 - 1, k / 9 - 1);
     if (d.squaredNorm() == 0) continue;
-    const auto& stretches = rays.cast(p, d.normalized(), scratch);
+    const auto& stretches = rays.cast_within(p, d.normalized(), reach, scratch);
     if (stretches.empty()) continue;
     const TreeInterval& first = stretches.front();
     const double t = first.enter.t > 0 ? first.enter.t : first.leave.t;

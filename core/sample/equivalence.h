@@ -45,7 +45,8 @@ Result<Equivalence> compare_trees(const Tree& a, const Tree& b, const Equivalenc
                                   const RunContext& run);
 
 /// An upper bound on the distance from `p` to the tree's surface: the shortest of 26 rays; infinite
-/// when none meets it. Stops at the first one not longer than `enough`.
+/// when none meets it. Stops at the first one not longer than `enough`; unless that is 0, what it
+/// returns beyond it only says that there is none.
 double distance_along_rays(const TreeRays& rays, const Vec3& p, double enough);
 
 }  // namespace hewn

@@ -23,14 +23,11 @@ Vec3 hop(const TreeRays& literals, const Vec3& p, double scale, Rng& rng) {
   double before = 0;
   double after = 2 * reach;
   std::vector<TreeInterval> stretches;
-  const int count = static_cast<int>(literals.tree().literals.size());
-  for (int k = 0; k < count; ++k) {
-    literals.cast_literal(k, p - reach * d, d, stretches);
-    for (const TreeInterval& s : stretches) {
-      for (const double t : {s.enter.t, s.leave.t}) {
-        if (t <= reach) before = std::max(before, t);
-        if (t > reach) after = std::min(after, t);
-      }
+  literals.cast_literals(p - reach * d, d, stretches);
+  for (const TreeInterval& s : stretches) {
+    for (const double t : {s.enter.t, s.leave.t}) {
+      if (t <= reach) before = std::max(before, t);
+      if (t > reach) after = std::min(after, t);
     }
   }
   return p + ((before + after) / 2 - reach) * d;
@@ -38,9 +35,9 @@ Vec3 hop(const TreeRays& literals, const Vec3& p, double scale, Rng& rng) {
 
 }  // namespace
 
-std::vector<char> find_thin_cells(const Tree& tree, const Arrangement& arrangement,
-                                  std::size_t first, double depth, const RunContext& run) {
-  std::vector<char> is_thin(arrangement.size() - first, 0);
+std::vector<CellDepth> find_thin_cells(const Tree& tree, const Arrangement& arrangement,
+                                       std::size_t first, double depth, const RunContext& run) {
+  std::vector<CellDepth> depths(arrangement.size() - first);
   const TreeRays rays(tree);
   Tree all;
   all.literals = arrangement.literals;
@@ -49,7 +46,7 @@ std::vector<char> find_thin_cells(const Tree& tree, const Arrangement& arrangeme
     // The tree's distance never exceeds the true one.
     return std::abs(tree.signed_distance(p)) > depth || distance_along_rays(rays, p, depth) > depth;
   };
-  for_each_chunk(run.threads, is_thin.size(), 16, [&](std::size_t begin, std::size_t end) {
+  for_each_chunk(run.threads, depths.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && !run.is_cancelled(); ++i) {
       Rng rng(run.seed, first + i);
       Vec3 p = arrangement.points[first + i];
@@ -58,10 +55,10 @@ std::vector<char> find_thin_cells(const Tree& tree, const Arrangement& arrangeme
         p = hop(literals, p, arrangement.scale, rng);
         found_deep = is_deep(p);
       }
-      is_thin[i] = found_deep ? 0 : 1;
+      depths[i] = {!found_deep, p};
     }
   });
-  return is_thin;
+  return depths;
 }
 
 }  // namespace hewn

@@ -6,10 +6,15 @@
 
 namespace hewn {
 
+struct CellDepth {
+  bool is_thin = true;
+  Vec3 point = Vec3::Zero();  ///< of a cell that is not thin: one that lies deep
+};
+
 /// For cells `first` and later: whether no point was found further than `depth` from the surface of
 /// `tree`. Looks at the cell's point and at the middles of a few lines through it.
 /// Cost: O(cells x literals).
-std::vector<char> find_thin_cells(const Tree& tree, const Arrangement& arrangement,
-                                  std::size_t first, double depth, const RunContext& run);
+std::vector<CellDepth> find_thin_cells(const Tree& tree, const Arrangement& arrangement,
+                                       std::size_t first, double depth, const RunContext& run);
 
 }  // namespace hewn

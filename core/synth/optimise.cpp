@@ -3,29 +3,24 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/csg/literal_set.h"
 #include "core/csg/tree_inside.h"
+#include "core/csg/tree_ray.h"
 #include "core/sample/thin_cells.h"
 #include "core/synth/rebuild/boundary.h"
-#include "core/synth/rebuild/rebuild.h"
+#include "core/synth/rebuild/second_start.h"
 #include "core/synth/simplify/derived_literals.h"
 #include "core/synth/simplify/dominant.h"
 #include "core/synth/simplify/grow_overlaps.h"
 
 namespace hewn {
 namespace {
-
-/// Of the search for a tree of the solid's surfaces. What it finds is rewritten afterwards, so that
-/// fewer starts do than for reconstruction.
-constexpr int kRebuildStarts = 4;
-constexpr int kRebuildBeam = 4;
-constexpr int kRebuildRounds = 6;
 
 /// Adds the time since its construction to a stage.
 class StageTimer {
@@ -49,13 +44,29 @@ class StageTimer {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The diagonal of the solid's cells, 0 when no cell is inside. Boxes of trees with redundant parts
-/// can be far larger than their solids.
-double diagonal_of_inside(const Arrangement& arrangement, const Column& inside) {
-  Box3 box;
+/// The diagonal of the solid, by lines through its cells; 0 when no cell is inside. Boxes of trees
+/// with redundant parts can be far larger than their solids.
+double diagonal_of_inside(const Tree& tree, const Arrangement& arrangement, const Column& inside) {
+  constexpr std::size_t kMostPoints = 500;
+  std::vector<Vec3> points;
   for_each_bit(inside, [&](std::size_t c) {
-    if (c < arrangement.size()) box.extend(arrangement.points[c]);
+    if (c < arrangement.size()) points.push_back(arrangement.points[c]);
   });
+  const TreeRays rays(tree);
+  TreeRayScratch scratch;
+  Box3 box;
+  const double reach = 4 * arrangement.scale;
+  const std::size_t step = 1 + points.size() / kMostPoints;
+  for (std::size_t i = 0; i < points.size(); i += step) {
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 from = points[i] - reach * Vec3::Unit(k);
+      for (const TreeInterval& s : rays.cast(from, Vec3::Unit(k), scratch)) {
+        if (!std::isfinite(s.enter.t) || !std::isfinite(s.leave.t)) continue;
+        box.extend(from + s.enter.t * Vec3::Unit(k));
+        box.extend(from + s.leave.t * Vec3::Unit(k));
+      }
+    }
+  }
   return box.diagonal();
 }
 
@@ -106,9 +117,10 @@ class Optimiser {
       run_.report("cells", 0);
       if (auto done = find_cells(); !done) return done.error();
     }
-    if (auto done = rebuild(); !done) return done.error();
+    start_anew();
     for (int round = 0; round < options_.rounds; ++round) {
       out_.rounds = round + 1;
+      if (auto done = rebuild(); !done) return done.error();
       CellColumns cells(sampler_.arrangement());
       derive(cells);
       const Result<Formula> found = search(cells);
@@ -139,61 +151,96 @@ class Optimiser {
     if (auto done = sampler_.sample(lines_, run_); !done) return done.error();
     const CellColumns cells(sampler_.arrangement());
     Formula wanted = input_formula();
-    const double diagonal = diagonal_of_inside(sampler_.arrangement(), evaluate(wanted, cells));
-    // The cells' points are well inside; a box of twice their size is not far too large.
+    const double diagonal =
+        diagonal_of_inside(input_, sampler_.arrangement(), evaluate(wanted, cells));
+    // A box of less than twice the size is not far too large.
     if (diagonal <= 0 || 2 * diagonal > sampler_.arrangement().scale) return {};
-    sampler_ = ArrangementSampler(set_.literals(), 1.5 * diagonal);
+    sampler_ = ArrangementSampler(set_.literals(), diagonal);
     if (auto done = sampler_.sample(lines_, run_); !done) return done.error();
     return {};
   }
 
-  /// A second start for the search: the solid built anew from its surfaces, until no cell between
-  /// the primitives of both trees speaks against it.
-  Result<void> rebuild() {
-    if (!options_.rebuilds || options_.method != OptimiseMethod::Rewrite) return {};
+  /// A second start for the search, unless there is little to gain.
+  void start_anew() {
+    if (!options_.rebuilds || options_.method != OptimiseMethod::Rewrite) return;
     StageTimer timer(out_.seconds, "rebuild");
-    const double scale = sampler_.arrangement().scale;
-    std::vector<Vec3> known = sampler_.arrangement().points;
-    RebuildOptions rebuild;
-    rebuild.depth = options_.tolerance * scale / 2;
-    rebuild.list.starts = kRebuildStarts;
-    rebuild.list.beam_width = kRebuildBeam;
-    TreeRebuilder rebuilder(input_, known, scale, rebuild, run_);
-    for (int round = 0; round < kRebuildRounds; ++round) {
-      auto tree = rebuilder.next();
-      if (!tree) return tree.error();
-      if (!*tree || literal_count(**tree) > 2 * literal_count(input_)) return {};
-      LiteralSet both;
-      both.add(input_);
-      ArrangementOptions lines = lines_;
-      lines.first_literal = both.literals().size();
-      const std::vector<int> literal_of = both.add(**tree);
-      ArrangementSampler sampler(both.literals(), scale);
-      sampler.add(known, run_);
-      if (auto more = sampler.sample(lines, run_); !more) return more.error();
-      if (rebuilder.refute(**tree, sampler.arrangement().points) > 0) continue;
-      rebuilt_ = std::move(**tree);
-      rebuilt_literal_of_ = literal_of;
-      set_ = std::move(both);
-      sampler_ = std::move(sampler);
-      return {};
+    const Arrangement& a = sampler_.arrangement();
+    second_.emplace(input_, a.points, a.scale, options_.tolerance * a.scale / 2, run_);
+    least_literals_ = second_->least_literals();
+    if (is_hardly_larger_than_needed()) second_.reset();
+  }
+
+  /// The solid built anew, again as soon as a cell speaks against the last answer.
+  Result<void> rebuild() {
+    while (second_) {
+      if (rebuilt_ && is_rebuilt_right()) return {};
+      StageTimer timer(out_.seconds, "rebuild");
+      rebuilt_.reset();
+      if (fallback_) second_.reset();  // its formula is over the literals as they are
+      if (!second_) return {};
+      auto found = second_->find(known_points(), lines_, most_rebuilt_);
+      if (!found) return found.error();
+      if (!*found) {
+        second_.reset();
+        return {};
+      }
+      rebuilt_ = std::move((*found)->tree);
+      rebuilt_literal_of_ = std::move((*found)->literal_of);
+      set_ = std::move((*found)->set);
+      sampler_ = std::move((*found)->sampler);
+      forget_depths();
     }
     return {};
   }
 
-  /// The smaller of two formulas; the rebuilt one only as long as no cell speaks against it.
+  bool is_rebuilt_right() {
+    CellColumns cells(sampler_.arrangement());
+    const Column cared = care(cells);
+    Formula wanted = input_formula();
+    Formula other = formula_of(*rebuilt_, rebuilt_literal_of_);
+    evaluate(wanted, cells);
+    evaluate(other, cells);
+    return count_differences(wanted.value, other.value, cared) == 0;
+  }
+
+  /// Of every cell its point, and one that lies deep where that is another one.
+  std::vector<Vec3> known_points() const {
+    std::vector<Vec3> points = sampler_.arrangement().points;
+    for (const CellDepth& d : depths_) {
+      if (!d.is_thin) points.push_back(d.point);
+    }
+    return points;
+  }
+
+  /// After a change of the cells' numbers.
+  void forget_depths() {
+    depths_.clear();
+    is_thick_.clear();
+    for (const Vec3& p : thick_points_) mark_thick(p);
+  }
+
+  /// A cell taken for thin in which a point lies deep after all.
+  void mark_thick(const Vec3& p) {
+    const std::size_t c = sampler_.cell_of(p);
+    if (c < sampler_.arrangement().size()) is_thick_[c] = p;
+  }
+
+  /// Whether the solid's surfaces ask for nearly as many literals as there are without redundancy.
+  bool is_hardly_larger_than_needed() {
+    constexpr int kShareWorthBuilding = 8;
+    const CellColumns cells(sampler_.arrangement());
+    const int leaves = leaf_count(without_redundancy(input_formula(), cells, cells.all(), run_));
+    // Rewriting finds about a tenth more.
+    most_rebuilt_ = leaves + leaves / 8;
+    if (least_literals_ == 0) return false;
+    return kShareWorthBuilding * (leaves - least_literals_) < leaves;
+  }
+
+  /// The smaller of two formulas.
   Formula start(const CellColumns& cells, const Column& cared) {
     Formula best = without_redundancy(input_formula(), cells, cared, run_, &out_.redundancy);
     if (!rebuilt_) return best;
     Formula other = formula_of(*rebuilt_, rebuilt_literal_of_);
-    Formula wanted = input_formula();
-    evaluate(wanted, cells);
-    evaluate(other, cells);
-    if (count_differences(wanted.value, other.value, cared) > 0) {
-      run_.info("the tree built anew differs on cells unseen before");
-      rebuilt_.reset();
-      return best;
-    }
     other = without_redundancy(std::move(other), cells, cared, run_);
     return leaf_count(other) < leaf_count(best) ? other : best;
   }
@@ -229,11 +276,11 @@ class Optimiser {
     StageTimer timer(out_.seconds, "thin");
     const Arrangement& a = sampler_.arrangement();
     const double depth = options_.tolerance * a.scale / 2;
-    const auto more = find_thin_cells(input_, a, is_thin_.size(), depth, run_);
-    is_thin_.insert(is_thin_.end(), more.begin(), more.end());
-    for (std::size_t c = 0; c < is_thin_.size(); ++c) {
-      if (is_thick_.count(c) > 0) is_thin_[c] = 0;
-      if (is_thin_[c]) care[c / 64] &= ~(Word{1} << (c % 64));
+    const auto more = find_thin_cells(input_, a, depths_.size(), depth, run_);
+    depths_.insert(depths_.end(), more.begin(), more.end());
+    for (const auto& [cell, point] : is_thick_) depths_[cell] = {false, point};
+    for (std::size_t c = 0; c < depths_.size(); ++c) {
+      if (depths_[c].is_thin) care[c / 64] &= ~(Word{1} << (c % 64));
     }
     return care;
   }
@@ -265,10 +312,11 @@ class Optimiser {
     rewrite.most_steps *= options_.effort;
     rewrite.most_work *= options_.effort;
     rewrite.least_proximity = least_proximity_;
+    rewrite.least_literals = least_literals_;
     Formula best = rewrite_search(f, cells, cared, rewrite, run_);
     // From far off, as from an inflated tree, a disjunctive form can be the better start.
     constexpr std::size_t kMostCells = 2000;
-    if (cells.cells() > kMostCells) return best;
+    if (cells.cells() > kMostCells || leaf_count(best) <= least_literals_) return best;
     const Decomposition d = decompose(std::move(f), cells, cared, run_);
     auto rest = rebuild_remaining(RemainingMethod::Espresso, d.rest, cells, d.care, {}, run_);
     if (!rest) return rest;
@@ -320,10 +368,9 @@ class Optimiser {
     auto same = prove(proved_.tree, round);
     if (!same || *same) return same;
     sampler_.add(out_.equivalence.examples, run_);
-    // Cells taken for thin in which a point lies deep after all.
     for (const Vec3& p : out_.equivalence.examples) {
-      const std::size_t c = sampler_.cell_of(p);
-      if (c < sampler_.arrangement().size()) is_thick_.insert(c);
+      thick_points_.push_back(p);
+      mark_thick(p);
     }
     return false;
   }
@@ -353,7 +400,8 @@ class Optimiser {
     if (!proved_.is_changed) return false;
     LiteralSet both;
     both.add(input_);
-    ArrangementOptions lines = lines_;
+    ArrangementOptions lines = fresh_lines(lines_, 0);
+    lines.crossing_lines /= 2;
     lines.first_literal = both.literals().size();
     both.add(proved_.tree);
     ArrangementSampler sampler(both.literals(), sampler_.arrangement().scale);
@@ -412,7 +460,7 @@ class Optimiser {
     Formula value = found;
     evaluate(value, cells);
     out_.changed_cells = count_differences(wanted.value, value.value, cells.all());
-    for (const char thin : is_thin_) out_.tolerated_cells += thin ? 1 : 0;
+    for (const CellDepth& d : depths_) out_.tolerated_cells += d.is_thin ? 1 : 0;
     if (options_.wants_front && !found.is_constant()) {
       if (auto done = find_front(found, cells); !done) return done.error();
     }
@@ -448,6 +496,8 @@ class Optimiser {
   const RunContext& run_;
   LiteralSet set_;
   std::vector<int> literal_of_;
+  std::optional<SecondStart> second_;  ///< while it may still be asked
+  int most_rebuilt_ = 0;               ///< literals with which it is of use
   std::optional<Tree> rebuilt_;
   std::vector<int> rebuilt_literal_of_;
   ArrangementOptions lines_;
@@ -455,6 +505,7 @@ class Optimiser {
   std::vector<DerivedLiteral> derived_;
   GrownTree proved_;  ///< what the last proof was about
   double least_proximity_ = 0;
+  int least_literals_ = 0;  ///< of any tree of the solid; 0: unknown
   struct Proved {
     Formula formula;
     std::vector<DerivedLiteral> derived;
@@ -462,8 +513,9 @@ class Optimiser {
     Equivalence equivalence;
   };
   std::optional<Proved> fallback_;  ///< smaller, but with a lower proximity than the input
-  std::set<std::size_t> is_thick_;
-  std::vector<char> is_thin_;  ///< by cell, as far as looked at
+  std::vector<Vec3> thick_points_;
+  std::map<std::size_t, Vec3> is_thick_;  ///< cells with such a point
+  std::vector<CellDepth> depths_;         ///< by cell, as far as looked at
   OptimiseResult out_;
 };
 
@@ -497,6 +549,14 @@ Result<OptimiseResult> optimise(const Tree& tree, const OptimiseOptions& options
                  fmt::format("a tolerance of {} makes no sense; give a share of the diagonal below "
                              "0.5",
                              options.tolerance)};
+  }
+  const int literals = literal_count(tree);
+  if (literals > kMostOptimisedLiterals) {
+    return Error{
+        ErrorCode::TooLarge,
+        fmt::format("the tree has {} primitives, more than the {} that can be optimised at "
+                    "once; optimise its parts one by one",
+                    literals, kMostOptimisedLiterals)};
   }
   return Optimiser(tree, options, run).work();
 }

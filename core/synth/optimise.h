@@ -26,6 +26,9 @@ enum class OptimiseMethod {
   Genetic,
 };
 
+/// Larger trees are refused: time and memory grow with the square of the literals.
+inline constexpr int kMostOptimisedLiterals = 2000;
+
 /// The remaining-solid method that it stands for.
 RemainingMethod remaining_method(OptimiseMethod method);
 
@@ -89,7 +92,7 @@ struct OptimiseResult {
 
 /// A tree of the same solid with no more literals. It agrees with the input on every cell of the
 /// literals' arrangement and on fresh points, or it is the input.
-/// Fails with: Cancelled, InvalidArgument (an option out of range).
+/// Fails with: Cancelled, InvalidArgument (an option out of range), TooLarge.
 /// Deterministic for `run.seed`, for any number of threads.
 Result<OptimiseResult> optimise(const Tree& tree, const OptimiseOptions& options,
                                 const RunContext& run);

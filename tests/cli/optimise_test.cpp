@@ -119,5 +119,28 @@ TEST_CASE("bad trees are refused with their place, and nothing is written") {
         kUsage);
 }
 
+TEST_CASE("enormous trees are refused at once, and nothing is written") {
+  const Folder folder;
+  std::string many = "union() {\n";
+  for (int i = 0; i < 10'000; ++i) {
+    many += "translate([" + std::to_string(2 * (i % 100)) + ", " + std::to_string(2 * (i / 100)) +
+            ", 0]) cube(1);\n";
+  }
+  const std::string large = folder.write("large.scad", many + "}\n");
+  const Outcome refused = run_hewn({"optimise", large, "-o", folder / "out.scad"});
+  CHECK(refused.exit_code == kBadInput);
+  CHECK_MESSAGE(refused.says("10000 primitives"), refused.err);
+  CHECK(refused.says("large.scad"));
+  CHECK(refused.seconds < 10);
+  CHECK(content_of(folder / "out.scad").empty());
+  std::string deep;
+  for (int i = 0; i < 5'000; ++i) deep += "union() {\n";
+  const Outcome nested =
+      run_hewn({"optimise", folder.write("deep.scad", deep), "-o", folder / "out.scad"});
+  CHECK(nested.exit_code == kBadInput);
+  CHECK_MESSAGE(nested.says("deep.scad:402:1"), nested.err);
+  CHECK(content_of(folder / "out.scad").empty());
+}
+
 }  // namespace
 }  // namespace hewn::cli

@@ -10,7 +10,9 @@
 namespace hewn {
 namespace {
 
-constexpr std::size_t kRandomLines = 3000;
+constexpr std::size_t kRandomLines = 200;
+constexpr std::size_t kRandomLinesPerLiteral = 40;
+constexpr std::size_t kMostRandomLines = 3000;
 constexpr std::size_t kMostPointLines = 12'000;
 
 struct Line {
@@ -29,7 +31,9 @@ std::vector<Line> lines_through(const TreeRays& rays, const std::vector<Vec3>& p
     }
     if (d.norm() > 1e-3) lines.push_back({p, d.normalized()});
   };
-  for (std::size_t k = 0; k < kRandomLines; ++k) {
+  const std::size_t random = std::min(
+      kMostRandomLines, kRandomLines + kRandomLinesPerLiteral * rays.tree().literals.size());
+  for (std::size_t k = 0; k < random; ++k) {
     Vec3 p;
     for (int c = 0; c < 3; ++c) p[c] = rng.uniform(box.lo[c], box.hi[c]);
     add(p, k);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 #include <utility>
 
 #include "core/csg/tree_inside.h"
@@ -11,6 +12,7 @@
 #include "core/synth/decompose/lower.h"
 #include "core/synth/decompose/relax.h"
 #include "core/synth/rebuild/boundary.h"
+#include "core/synth/rebuild/least_literals.h"
 
 namespace hewn {
 namespace {
@@ -35,7 +37,7 @@ class TreeRebuilder::Search {
       : inside_(tree), given_(points), scale_(scale), options_(options), run_(run), rays_(tree) {}
 
   Result<std::optional<Tree>> next() {
-    if (round_ == 0 && !prepare()) return nothing();
+    if (round_ == 0 && (!has_boundary() || !fill_table())) return nothing();
     if (run_.is_cancelled()) return RunContext::cancelled();
     const bool has_list = search_round();
     if (run_.is_cancelled()) return RunContext::cancelled();
@@ -44,30 +46,52 @@ class TreeRebuilder::Search {
     return std::optional<Tree>(lowered());
   }
 
+  int least_literals() {
+    if (options_.depth > 0 || !has_boundary()) return 0;
+    std::vector<char> is_sure(surfaces_.halfspaces.size(), 0);
+    for (const BoundaryHit& h : hits_) {
+      char& sure = is_sure[index_of(h.halfspace)];
+      if (!sure && changes_label(h)) sure = 1;
+    }
+    std::vector<Halfspace> bounding;
+    for (std::size_t k = 0; k < is_sure.size(); ++k) {
+      if (is_sure[k]) bounding.push_back(surfaces_.halfspaces[k]);
+    }
+    return hewn::least_literals(bounding);
+  }
+
   std::size_t refute(const Tree& found, const std::vector<Vec3>& points) {
     const TreeInside other(found);
-    std::vector<Vec3> wrong;
+    std::size_t wrong = 0;
+    std::vector<Vec3> telling;
     for (const Vec3& p : points) {
-      if (inside_.contains(p) != other.contains(p) && is_usable(p)) wrong.push_back(p);
+      const bool is_wrong = inside_.contains(p) != other.contains(p);
+      // Of cells that the table lacks the right ones, too: what mends one must not break others.
+      if ((!is_wrong && is_known_cell(p)) || !is_usable(p)) continue;
+      wrong += is_wrong ? 1 : 0;
+      telling.push_back(p);
     }
-    add_points(wrong);
-    return wrong.size();
+    add_points(telling);
+    return wrong;
   }
 
  private:
   static Result<std::optional<Tree>> nothing() { return std::optional<Tree>(); }
   const Tree& tree() const { return rays_.tree(); }
 
-  bool prepare() {
-    if (tree().is_empty() || !std::isfinite(tree().bounds().diagonal())) return false;
-    auto known = surfaces_of(tree().literals, scale_);
-    if (!known) return false;
-    known_ = std::move(*known);
-    is_used_.assign(known_.all.halfspaces.size(), 0);
-    find_boundary();
-    if (surfaces_.halfspaces.empty() || surfaces_.halfspaces.size() > kMostSurfaces) return false;
-    fill_table();
-    return true;
+  /// Finds the surfaces that bound the solid, once. False when there are none to search with.
+  bool has_boundary() {
+    if (!has_looked_) {
+      has_looked_ = true;
+      auto known = tree().is_empty() || !std::isfinite(tree().bounds().diagonal())
+                       ? std::nullopt
+                       : surfaces_of(tree().literals, scale_);
+      if (!known) return false;
+      known_ = std::move(*known);
+      is_used_.assign(known_.all.halfspaces.size(), 0);
+      find_boundary();
+    }
+    return !surfaces_.halfspaces.empty();
   }
 
   /// The surfaces on which the solid changes even beyond the depth that is free.
@@ -85,6 +109,12 @@ class TreeRebuilder::Search {
     hits_ = std::move(kept);
     geometry_ = make_mesh(std::move(geometry_.vertices), {});
     find_extent();
+  }
+
+  /// Where faces of operands touch, rounding can leave a gap that a line sees.
+  bool changes_label(const BoundaryHit& h) const {
+    const Vec3 step = 1e-7 * scale_ * h.normal;
+    return inside_.contains(h.position - step) && !inside_.contains(h.position + step);
   }
 
   /// Whether the label changes for good there.
@@ -131,6 +161,14 @@ class TreeRebuilder::Search {
     geometry_ = make_mesh(std::move(corners), {});
   }
 
+  bool is_known_cell(const Vec3& p) {
+    signature_.assign(table_.stride, 0);
+    for (std::size_t k = 0; k < surfaces_.halfspaces.size(); ++k) {
+      if (surfaces_.halfspaces[k].surface.signed_distance(p) < 0) set_bit(signature_.data(), k);
+    }
+    return !known_cells_.insert(hash_words(signature_)).second;
+  }
+
   bool is_certain(const Vec3& p) const {
     const auto is_far = [&](const Halfspace& h) {
       return std::abs(h.surface.signed_distance(p)) > kUncertain * scale_;
@@ -149,7 +187,8 @@ class TreeRebuilder::Search {
     append_points(table_, surfaces_.halfspaces, labelled, run_);
   }
 
-  void fill_table() {
+  bool fill_table() {
+    if (surfaces_.halfspaces.size() > kMostSurfaces) return false;
     table_.halfspaces = surfaces_.halfspaces.size();
     table_.stride = (table_.halfspaces + 63) / 64;
     std::vector<Vec3> points;
@@ -170,6 +209,7 @@ class TreeRebuilder::Search {
     }
     add_pairs(points);
     add_points(points);
+    return true;
   }
 
   void add_pairs(std::vector<Vec3>& points) {
@@ -240,6 +280,11 @@ class TreeRebuilder::Search {
 
   bool search_round() {
     separate();
+    known_cells_.clear();
+    for (const int i : cells_.first_point) {
+      const auto row = static_cast<std::size_t>(i);
+      known_cells_.insert(hash_words({table_.signature(row), table_.stride}));
+    }
     columns_.emplace(table_, cells_, ColumnTable::Labels::Exact);
     combinability_.emplace(surfaces_);
     for (SearchSpace& s : spaces_) {
@@ -248,12 +293,29 @@ class TreeRebuilder::Search {
       s.care = columns_->all();
     }
     keep_inside_box(spaces_[1].care);
-    ListSearch search(spaces_, options_.list, 0x700000 + 1000 * round_, run_);
+    const ListSearchOptions list = list_options();
+    ListSearch search(spaces_, list, 0x700000 + 1000 * round_, run_);
     if (round_ > 0 && search.repair(found_)) return true;
     auto found = search.construct([](double) {});
     if (!found) return false;
     found_ = std::move(*found);
     return true;
+  }
+
+  /// Less for what takes long to search; it is rewritten afterwards.
+  ListSearchOptions list_options() const {
+    constexpr double kFullEffortWork = 1000;  // halfspaces x words
+    constexpr int kFewestSteps = 300;
+    ListSearchOptions list = options_.list;
+    const auto work = static_cast<double>(columns_->halfspaces() * columns_->words());
+    const double share = std::min(1.0, kFullEffortWork / work);
+    list.neighbourhood_steps =
+        std::max(kFewestSteps, static_cast<int>(share * list.neighbourhood_steps));
+    if (share < 0.5) {
+      list.starts = std::min(list.starts, 2);
+      list.beam_width = std::min(list.beam_width, 3);
+    }
+    return list;
   }
 
   void keep_inside_box(std::vector<Word>& care) const {
@@ -299,10 +361,13 @@ class TreeRebuilder::Search {
   Frame frame_;
   SampleTable table_;
   Cells cells_;
+  std::unordered_set<std::uint64_t> known_cells_;  ///< hashes of signatures; never iterated
+  std::vector<Word> signature_;
   std::optional<ColumnTable> columns_;
   std::optional<Combinability> combinability_;
   std::array<SearchSpace, 2> spaces_;  ///< everywhere; inside the frame's box only
   FoundList found_;
+  bool has_looked_ = false;
   std::uint64_t round_ = 0;
 };
 
@@ -311,6 +376,8 @@ TreeRebuilder::TreeRebuilder(const Tree& tree, const std::vector<Vec3>& points, 
     : search_(std::make_unique<Search>(tree, points, scale, options, run)) {}
 
 TreeRebuilder::~TreeRebuilder() = default;
+
+int TreeRebuilder::least_literals() { return search_->least_literals(); }
 
 Result<std::optional<Tree>> TreeRebuilder::next() { return search_->next(); }
 

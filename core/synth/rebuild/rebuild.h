@@ -30,12 +30,17 @@ class TreeRebuilder {
   TreeRebuilder(const TreeRebuilder&) = delete;
   TreeRebuilder& operator=(const TreeRebuilder&) = delete;
 
+  /// A lower bound on the literals of any tree of this solid; 0 when none is known, as with a depth
+  /// that is free. Cost: some lines through the solid.
+  int least_literals();
+
   /// A tree that agrees with the given one on all points so far. Nothing when there is none:
   /// literals without plain surfaces, an unbounded solid, or no list was found.
   /// Fails with: Cancelled. Deterministic for `run.seed`, for any number of threads.
   Result<std::optional<Tree>> next();
 
-  /// Of these points, takes those in which `found` is wrong into account. Returns how many.
+  /// Of these points, takes those in which `found` is wrong into account, and those of cells that
+  /// are new. Returns how many are wrong.
   std::size_t refute(const Tree& found, const std::vector<Vec3>& points);
 
  private:

@@ -30,6 +30,12 @@ bool share_literal(const Formula& a, const Formula& b) {
                      [&](const Formula& child) { return share_literal(child, b); });
 }
 
+std::size_t most_operands(const Formula& f) {
+  std::size_t most = f.children.size();
+  for (const Formula& child : f.children) most = std::max(most, most_operands(child));
+  return most;
+}
+
 class RewriteSearch {
  public:
   RewriteSearch(const CellColumns& cells, const Column& care, const RewriteOptions& options,
@@ -46,10 +52,11 @@ class RewriteSearch {
     evaluate(current_, cells_);
     leaves_ = leaf_count(current_);
     keep_best();
-    const int steps = std::min(options_.most_steps, 400 + options_.steps_per_literal * leaves_);
+    const int steps = steps_from(leaves_);
     int last_gain = 0;
     for (int step = 0; step < steps; ++step) {
-      if (run_.should_stop() || resynthesis_.work() > options_.most_work) break;
+      if (is_best_possible() || run_.should_stop() || resynthesis_.work() > options_.most_work)
+        break;
       if (leaves_ <= 1 || step - last_gain > steps / 2) break;
       if (step % 64 == 0) run_.report("rewrite", static_cast<double>(step) / steps);
       const int before = leaves_;
@@ -60,6 +67,19 @@ class RewriteSearch {
   }
 
  private:
+  /// Less for what can hardly get smaller.
+  int steps_from(int leaves) const {
+    const int steps = std::min(options_.most_steps, 400 + options_.steps_per_literal * leaves);
+    if (options_.least_literals <= 0) return steps;
+    const double gap = static_cast<double>(leaves - options_.least_literals) / leaves;
+    return static_cast<int>(steps * std::clamp(4 * gap, 0.2, 1.0));
+  }
+
+  bool is_best_possible() const {
+    return options_.least_literals > 0 && best_size_ < 2 * options_.least_literals &&
+           best_proximity_ >= 1;
+  }
+
   /// Of formulas of one length the one with the best proximity, of those near enough first.
   void keep_best() {
     const int size = formula_size(current_);
@@ -169,6 +189,9 @@ class RewriteSearch {
     evaluate(current_, cells_);
     leaves_ = leaf_count(current_);
     keep_best();
+    // The order in which operands overlap is sought among all pairs of them.
+    const auto operands = static_cast<double>(most_operands(current_));
+    work_ += (leaves_ + operands * operands) * static_cast<double>(cells_.words());
   }
 
   const CellColumns& cells_;
@@ -179,6 +202,7 @@ class RewriteSearch {
   Rng rng_;
   Formula current_, best_;
   int leaves_ = 0;
+  double work_ = 0;  ///< in words, beside that of `resynthesis_`
   int best_size_ = std::numeric_limits<int>::max();
   double best_proximity_ = 0;
   bool best_meets_ = false;

@@ -12,9 +12,12 @@ struct RewriteOptions {
   int largest_window = 14;  ///< literals of a part that is cut out
   int attempts = 2;         ///< formulas tried for each window
   /// Work after which the search ends, in words of columns (about 3e9 a second).
-  double most_work = 3e9;
+  double most_work = 2e9;
   /// Formulas with at least this proximity are better than those without, whatever their size.
   double least_proximity = 0;
+  /// No formula of the solid has fewer literals. One that has no more, all of them near together,
+  /// ends the search; the nearer it is the fewer steps are taken.
+  int least_literals = 0;
 };
 
 /// A formula with at most as many literals that agrees with the input on every cell of `care`.

@@ -118,5 +118,31 @@ TEST_CASE("rays through random trees agree with the signed distance") {
   }
 }
 
+TEST_CASE("within its reach a short ray sees what a long one sees") {
+  Rng rng(12);
+  TreeRayScratch scratch;
+  for (int i = 0; i < 40; ++i) {
+    const Tree tree = testing::random_tree(rng, {});
+    const TreeRays rays(tree);
+    for (int k = 0; k < 50; ++k) {
+      const Vec3 from = testing::random_point(rng, 2);
+      const Vec3 d = testing::random_point(rng, 1).normalized();
+      const double reach = rng.uniform(0.1, 1.0);
+      std::vector<double> all, near;
+      for (const TreeInterval& s : rays.cast(from, d, scratch)) {
+        for (const double t : {s.enter.t, s.leave.t}) {
+          if (t > 0 && t <= reach) all.push_back(t);
+        }
+      }
+      for (const TreeInterval& s : rays.cast_within(from, d, reach, scratch)) {
+        for (const double t : {s.enter.t, s.leave.t}) {
+          if (t > 0 && t <= reach) near.push_back(t);
+        }
+      }
+      REQUIRE(all == near);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hewn

@@ -88,6 +88,44 @@ TEST_CASE("literals that share faces share halfspaces") {
   CHECK_FALSE(surfaces_of({oval}, 1).has_value());
 }
 
+TEST_CASE("the surfaces of a solid tell how many primitives it needs at least") {
+  const RunContext run;
+  const auto least = [&](const Tree& tree) {
+    const RebuildOptions options;
+    const std::vector<Vec3> points = {{1, 1, 0.5}};
+    return TreeRebuilder(tree, points, tree.bounds().diagonal(), options, run).least_literals();
+  };
+  // One flank, and four sides in pairs that one box has.
+  CHECK(least(cut_up_plate()) == 2);
+  // Six planes across z: three boxes; the cylinder's own ends are two of them.
+  Tree stairs;
+  std::vector<int> steps;
+  for (int i = 0; i < 3; ++i) {
+    steps.push_back(stairs.add_literal(box({1.0 * i, 0, 0.1 * i}, {i + 1.5, 1, i + 1.0})));
+  }
+  stairs.root = stairs.add_node(Op::Union, steps);
+  CHECK(least(stairs) == 3);
+  const int peg = stairs.add_literal(tube(0.5, 0.5, 0.2, 0.5, 5));
+  stairs.root = stairs.add_node(Op::Union, {stairs.root, peg});
+  CHECK(least(stairs) == 4);
+  RebuildOptions tolerant;
+  tolerant.depth = 0.1;
+  const std::vector<Vec3> points = {{1, 1, 0.5}};
+  CHECK(TreeRebuilder(stairs, points, 5, tolerant, run).least_literals() == 0);
+}
+
+TEST_CASE("a tree as small as its surfaces allow is not searched any longer") {
+  Tree tree;
+  const int plate = tree.add_literal(box({0, 0, 0}, {4, 2, 1}));
+  const int hole = tree.add_literal(tube(1, 1, 0.4, -1, 2));
+  tree.root = tree.add_node(Op::Difference, {plate, hole});
+  const auto result = optimise(tree, {}, {});
+  REQUIRE(result.has_value());
+  CHECK(result->after.literals == 2);
+  CHECK(result->rounds == 1);
+  CHECK(result->equivalence.is_same());
+}
+
 TEST_CASE("a cut-up solid is built anew from its few surfaces") {
   const Tree tree = cut_up_plate();
   const std::vector<Vec3> points = {{0.5, 0.5, 0.5}, {2, 1, 0.25}, {2, 1, 0.75}, {3.5, 1.5, 0.5}};

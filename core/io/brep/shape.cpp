@@ -1,4 +1,4 @@
-#include "core/io/brep.h"
+#include "core/io/brep/shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,11 +74,10 @@ TopoDS_Shape regular_prism(const Literal& s, const gp_Ax2& frame, double k) {
 
 class BrepBuilder {
  public:
-  BrepBuilder(const Tree& tree, BooleanStrategy strategy, const RunContext& run)
-      : tree_(tree), strategy_(strategy), run_(run) {
-    const Box3 box = tree.bounds();
-    out_.center = box.center();
-    out_.scale = kBrepDiagonal / box.diagonal();
+  BrepBuilder(const BrepInput& input, BooleanStrategy strategy, const RunContext& run)
+      : tree_(input.tree), strategy_(strategy), run_(run) {
+    out_.center = input.bounds.center();
+    out_.scale = kBrepDiagonal / input.bounds.diagonal();
   }
 
   Result<Brep> build() {
@@ -227,14 +226,14 @@ class BrepBuilder {
 
 }  // namespace
 
-Result<Brep> build_brep(const Tree& tree, BooleanStrategy strategy, const RunContext& run) {
-  const Box3 box = tree.bounds();
+Result<Brep> build_brep(const BrepInput& input, BooleanStrategy strategy, const RunContext& run) {
+  const Box3& box = input.bounds;
   if (box.is_empty() || !std::isfinite(box.diagonal()) || box.diagonal() <= 0) {
     return Error{ErrorCode::InvalidArgument, "the tree is empty: there is no solid to export",
                  "boundary representation"};
   }
   try {
-    return BrepBuilder(tree, strategy, run).build();
+    return BrepBuilder(input, strategy, run).build();
   } catch (const Standard_Failure& e) {
     const char* text = e.GetMessageString();
     return Error{ErrorCode::Internal,

@@ -1,0 +1,87 @@
+#include "core/synth/rebuild/second_start.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hewn {
+namespace {
+
+/// What is found is rewritten afterwards, so that less of a search does than for reconstruction.
+constexpr int kStarts = 4;
+constexpr int kBeam = 4;
+/// Of answers that are refuted; each mends the one before.
+constexpr int kMostRounds = 24;
+
+RebuildOptions options_for(double depth) {
+  RebuildOptions options;
+  options.depth = depth;
+  options.list.starts = kStarts;
+  options.list.beam_width = kBeam;
+  return options;
+}
+
+/// A first look: enough to find most of what is wrong. The tree is checked again when it has been
+/// rewritten.
+ArrangementOptions few(ArrangementOptions lines) {
+  lines.volume_lines /= 6;
+  lines.crossing_lines /= 10;
+  lines.lines_per_face = 1;
+  lines.curves_per_face = 1;
+  return lines;
+}
+
+}  // namespace
+
+SecondStart::SecondStart(const Tree& input, std::vector<Vec3> points, double scale, double depth,
+                         const RunContext& run)
+    : input_(input),
+      points_(std::move(points)),
+      scale_(scale),
+      options_(options_for(depth)),
+      run_(run),
+      rebuilder_(input_, points_, scale_, options_, run_) {}
+
+Result<std::optional<RebuiltTree>> SecondStart::find(const std::vector<Vec3>& known,
+                                                     const ArrangementOptions& lines,
+                                                     int most_literals) {
+  if (last_) rebuilder_.refute(*last_, known);
+  while (round_ < kMostRounds) {
+    ++round_;
+    auto tree = rebuilder_.next();
+    if (!tree) return tree.error();
+    if (!*tree || literal_count(**tree) > most_literals) break;
+    last_ = std::move(**tree);
+    if (rebuilder_.refute(*last_, known) > 0) continue;
+    auto good = judged(*last_, known, lines);
+    if (!good || *good) return good;
+  }
+  round_ = kMostRounds;
+  return std::optional<RebuiltTree>();
+}
+
+/// The tree with the cells between its primitives and the input's, when none refutes it.
+Result<std::optional<RebuiltTree>> SecondStart::judged(const Tree& tree,
+                                                       const std::vector<Vec3>& known,
+                                                       ArrangementOptions lines) {
+  LiteralSet both;
+  both.add(input_);
+  lines.first_literal = both.literals().size();
+  std::vector<int> literal_of = both.add(tree);
+  ArrangementSampler sampler(both.literals(), scale_);
+  sampler.add(known, run_);
+  ArrangementOptions second = lines;
+  second.volume_lines /= 3;
+  second.crossing_lines /= 3;
+  for (const ArrangementOptions& look : {few(lines), second}) {
+    const std::size_t before = sampler.arrangement().size();
+    if (auto more = sampler.sample(look, run_); !more) return more.error();
+    const auto& points = sampler.arrangement().points;
+    const std::vector<Vec3> fresh(points.begin() + static_cast<std::ptrdiff_t>(before),
+                                  points.end());
+    if (rebuilder_.refute(tree, fresh) > 0) return std::optional<RebuiltTree>();
+  }
+  return std::optional<RebuiltTree>(
+      RebuiltTree{tree, std::move(both), std::move(literal_of), std::move(sampler)});
+}
+
+}  // namespace hewn
