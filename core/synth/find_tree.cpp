@@ -97,7 +97,7 @@ class TreeSearch {
         build_sample_table(space_, options_.volume_points, surfaces_.halfspace_of_group, run_);
     if (!table) return table.error();
     table_ = std::move(*table);
-    cells_ = find_cells(table_);
+    cells_ = find_cells(table_, run_);
     separate();
     for (int round = 0; round <= options_.rounds; ++round) {
       const bool has_list = search_round(round);
@@ -215,7 +215,7 @@ class TreeSearch {
     if (static_cast<int>(v.counterexamples.size()) < kFewCounterexamples) return false;
     append_points(table_, surfaces_.halfspaces, v.counterexamples, run_);
     densify(v.counterexamples, round);
-    cells_ = find_cells(table_);
+    cells_ = find_cells(table_, run_);
     separate();
     return true;
   }
