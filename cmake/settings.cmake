@@ -23,6 +23,10 @@ if(HEWN_SANITIZER)
     "$<$<COMPILE_LANGUAGE:CXX>:-fsanitize=${HEWN_SANITIZER};-fno-omit-frame-pointer;-fno-sanitize-recover=all>")
   target_link_options(hewn_settings INTERFACE -fsanitize=${HEWN_SANITIZER})
   target_compile_definitions(hewn_settings INTERFACE HEWN_ASSERTIONS HEWN_SANITIZED)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # GCC's manual warns of false alarms where the sanitizers' own code hides assignments.
+    target_compile_options(hewn_settings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-maybe-uninitialized>)
+  endif()
 endif()
 
 if(NOT CMAKE_BUILD_TYPE)

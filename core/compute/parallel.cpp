@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/compute/arena.h"
+#include "core/compute/fork_join.h"
 
 namespace hewn {
 
@@ -17,12 +18,15 @@ void for_each_chunk(int threads, std::size_t n, std::size_t grain,
     return;
   }
   const tbb::blocked_range<std::size_t> range(0, n, grain);
-  const auto run = [&] {
-    tbb::parallel_for(
-        range, [&](const tbb::blocked_range<std::size_t>& part) { body(part.begin(), part.end()); },
-        tbb::simple_partitioner());
+  ForkJoin order;
+  const auto visit = [&](const tbb::blocked_range<std::size_t>& part) {
+    order.begin();
+    body(part.begin(), part.end());
+    order.end();
   };
-  in_arena(threads, run);
+  order.fork();
+  in_arena(threads, [&] { tbb::parallel_for(range, visit, tbb::simple_partitioner()); });
+  order.join();
 }
 
 int worker_count(int threads) {

@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/compute/arena.h"
+#include "core/compute/fork_join.h"
 #include "core/compute/parallel.h"
 
 namespace hewn {
@@ -28,15 +29,21 @@ std::size_t first_success(int threads, std::size_t n,
     return i;
   }
   std::atomic<std::size_t> first{n};
+  ForkJoin order;
   const auto make = [&](std::size_t i) {
-    if (first.load() < i || !attempt(i)) return;
-    std::size_t known = first.load();
-    while (i < known && !first.compare_exchange_weak(known, i)) {
+    order.begin();
+    if (first.load() >= i && attempt(i)) {
+      std::size_t known = first.load();
+      while (i < known && !first.compare_exchange_weak(known, i)) {
+      }
     }
+    order.end();
   };
   const auto all = [&] { tbb::parallel_for(std::size_t{0}, n, make, tbb::simple_partitioner()); };
   // Isolated: who waits for the rest must not begin with something long in the meantime.
+  order.fork();
   in_arena(threads, [&all] { tbb::this_task_arena::isolate(all); });
+  order.join();
   return first.load();
 }
 
