@@ -48,6 +48,12 @@ std::string fresh_name(PartitionPlan& root) {
 }
 
 class Editor {
+  // Ahead of its use: clang 14 takes it for undefined otherwise.
+  template <class NotAnEdit>
+  Result<void> edit(const NotAnEdit&) {
+    return refused("this command does not edit the plan");
+  }
+
  public:
   Editor(const Document& before, const RunContext& run)
       : before_(before), next_(before), run_(run) {}
@@ -249,11 +255,6 @@ class Editor {
                    0
                ? Result<void>{}
                : derive_prepared();
-  }
-
-  template <class NotAnEdit>
-  Result<void> edit(const NotAnEdit&) {
-    return refused("this command does not edit the plan");
   }
 
   // Helpers -------------------------------------------------------------------------------------
