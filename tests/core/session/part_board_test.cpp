@@ -10,8 +10,7 @@ namespace {
 
 using State = PartProgress::State;
 using testing::hole;
-using testing::one_thread;
-using testing::SessionFolder;
+using testing::OpenSession;
 
 TEST_CASE("parts keep the order of their first word, bars never go back, ends are final") {
   PartBoard board;
@@ -33,17 +32,6 @@ TEST_CASE("parts keep the order of their first word, bars never go back, ends ar
   CHECK(parts[1].state == State::Failed);
   CHECK(parts[1].reason == "no");
 }
-
-struct OpenSession {
-  SessionFolder folder{"parts"};
-  Session session{one_thread()};
-  OpenSession() {
-    session.set_views(false);
-    REQUIRE(session.execute(OpenFile{folder.plate()}));
-    session.wait();
-    REQUIRE(session.document().is_ready());
-  }
-};
 
 TEST_CASE("every partition of a search waits, and is done with its size and error in the end") {
   OpenSession open;

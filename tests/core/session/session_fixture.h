@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include <doctest/doctest.h>
 #include <unistd.h>
 
 #include "core/mesh/load.h"
@@ -43,6 +44,18 @@ inline RunContext one_thread() {
   run.threads = 1;
   return run;
 }
+
+/// A session on the plate, read and ready.
+struct OpenSession {
+  SessionFolder folder{"run"};
+  Session session{one_thread()};
+  OpenSession() {
+    session.set_views(false);
+    REQUIRE(session.execute(OpenFile{folder.plate()}));
+    session.wait();
+    REQUIRE(session.document().is_ready());
+  }
+};
 
 /// The group on the hole's wall of `SessionFolder::plate`.
 inline std::vector<GroupRef> hole() { return {{Vec3(3, 0, 0), -1}}; }

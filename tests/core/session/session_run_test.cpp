@@ -11,19 +11,7 @@ namespace {
 
 using testing::hole;
 using testing::one_thread;
-using testing::SessionFolder;
-
-/// A session on the plate, read and ready.
-struct OpenSession {
-  SessionFolder folder{"run"};
-  Session session{one_thread()};
-  OpenSession() {
-    session.set_views(false);
-    REQUIRE(session.execute(OpenFile{folder.plate()}));
-    session.wait();
-    REQUIRE(session.document().is_ready());
-  }
-};
+using testing::OpenSession;
 
 TEST_CASE("a hole as a subtracted partition becomes a plate minus a cylinder") {
   OpenSession open;
