@@ -175,7 +175,8 @@ Fonts load_fonts(float scale) {
   fonts.heading = add_font(bold, icons, std::round(15 * scale));
   fonts.has_icons = !icons.empty();
   atlas.Build();
-  for (ImFont* font : {fonts.body, fonts.small}) make_digits_tabular(font);  // headings are no tables
+  // Headings are no tables.
+  for (ImFont* font : {fonts.body, fonts.small}) make_digits_tabular(font);
   return fonts;
 }
 

@@ -15,8 +15,8 @@ class FrameStats {
   void end(bool is_moving, bool is_busy);
   /// One line of JSON: counts, means and largest values in milliseconds, and the processor time
   /// that a frame takes on all threads together, which other programs on the machine do not change.
-  /// `own_max_ms`: the most that the window's own thread has worked in one frame; jobs, which run on
-  /// other threads, have no part in it.
+  /// `own_max_ms`: the most that the window's own thread has worked in one frame; jobs, which run
+  /// on other threads, have no part in it.
   std::string summary() const;
 
  private:
