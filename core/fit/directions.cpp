@@ -32,6 +32,15 @@ double unsigned_angle(const Vec3& a, const Vec3& b) {
   return std::min(angle, kPi - angle);
 }
 
+/// The angle that two sides of a regular polygon of 5, 6, 8, 10 or 12 sides make, if one is near.
+std::optional<double> polygon_angle(double angle_rad, double tolerance_rad) {
+  for (const double step : {kPi / 12, kPi / 10}) {
+    const double nearest = std::round(angle_rad / step) * step;
+    if (std::abs(nearest - angle_rad) <= tolerance_rad) return nearest;
+  }
+  return std::nullopt;
+}
+
 class DirectionFinder {
  public:
   DirectionFinder(double diagonal, const RegulariseOptions& options)
@@ -138,22 +147,33 @@ class DirectionFinder {
     return rounded_within_plane(projected, across[0], c, allowed);
   }
 
-  /// `axis` lies in the plane across `normal`; its angle there may be a round one.
+  /// `axis` lies in the plane across `normal`; its angle to a settled direction there may be that
+  /// of a regular polygon, or a round one. The roundest counts: a hexagon's sides meet at 60
+  /// degrees, however it is turned.
   Vec3 rounded_within_plane(const Vec3& axis, const Vec3& normal, const Cluster& c,
                             double allowed) const {
     if (!options_.round_values) return axis;
+    const double tolerance =
+        std::min(allowed, options_.round_deviations * c.deviation() + kMinDeviation);
+    Vec3 roundest = axis;
+    RoundValue best;
     for (const int k : settled_) {
       const Vec3& x = clusters_[k].axis;
       if (std::abs(x.dot(normal)) > kExactlyAcross) continue;
       const Vec3 y = normal.cross(x);
+      const auto turned = [&](double angle) {
+        return (x * std::cos(angle) + y * std::sin(angle)).normalized();
+      };
       const double angle = std::atan2(axis.dot(y), axis.dot(x));
-      const double tolerance =
-          std::min(allowed, options_.round_deviations * c.deviation() + kMinDeviation);
-      const double rounded = round_angle(angle, tolerance);
-      if (rounded == angle) continue;
-      return (x * std::cos(rounded) + y * std::sin(rounded)).normalized();
+      if (const auto regular = polygon_angle(angle, std::min(allowed, kMinTurn))) {
+        return turned(*regular);
+      }
+      const RoundValue rounded = find_round_angle(angle, tolerance);
+      if (rounded.exponent <= best.exponent) continue;
+      best = rounded;
+      roundest = turned(rounded.value);
     }
-    return axis;
+    return roundest;
   }
 
   /// Drops unused coordinate axes and renumbers.

@@ -5,6 +5,7 @@
 #include "core/fit/axis_lines.h"
 #include "core/fit/directions.h"
 #include "core/fit/fit_items.h"
+#include "core/fit/regular_prisms.h"
 #include "core/fit/surface_set.h"
 #include "core/fit/tessellation.h"
 
@@ -96,10 +97,15 @@ class SetBuilder {
     groups_[found].push_back(item.group);
   }
 
-  SurfaceSet finish(const std::vector<Vec3>& directions) {
+  SurfaceSet finish(const std::vector<Vec3>& directions, bool round_values) {
     keep_used(directions);
     for (std::size_t k = 0; k < set_.halfspaces.size(); ++k) {
       measure(set_.halfspaces[k], groups_[k]);
+    }
+    for (const int k : settle_regular_prisms(set_, mesh_.diagonal(), round_values)) {
+      measure(set_.halfspaces[k], groups_[k]);
+    }
+    for (std::size_t k = 0; k < set_.halfspaces.size(); ++k) {
       Halfspace& h = set_.halfspaces[k];
       if (h.surface.kind == SurfaceKind::Sphere) {
         const SphereTessellation found =
@@ -261,7 +267,7 @@ Result<SurfaceSet> regularise(const Mesh& mesh, const Segmentation& segmentation
     builder.add(item);
   }
   run.report("regularise", 1);
-  return builder.finish(directions);
+  return builder.finish(directions, options.round_values);
 }
 
 }  // namespace hewn

@@ -10,11 +10,9 @@ namespace {
 // A step this much coarser than the tolerance is hit by chance once in ten times.
 constexpr double kMinStep = 20;
 
-}  // namespace
-
-double round_value(double value, double tolerance) {
-  if (!(tolerance > 0) || !std::isfinite(tolerance) || !std::isfinite(value)) return value;
-  if (std::abs(value) <= tolerance) return 0;
+RoundValue find_round_value(double value, double tolerance) {
+  if (!(tolerance > 0) || !std::isfinite(tolerance) || !std::isfinite(value)) return {value};
+  if (std::abs(value) <= tolerance) return {0, 1000};
   const int first = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
   const int last = static_cast<int>(std::floor(std::log10(kMinStep * tolerance)));
   for (int exponent = first; exponent >= last; --exponent) {
@@ -22,15 +20,26 @@ double round_value(double value, double tolerance) {
     const double unit = std::pow(10.0, std::abs(exponent));
     const double rounded =
         exponent < 0 ? std::round(value * unit) / unit : std::round(value / unit) * unit;
-    if (std::abs(rounded - value) <= tolerance) return rounded;
+    if (std::abs(rounded - value) <= tolerance) return {rounded, exponent};
   }
-  return value;
+  return {value};
+}
+
+}  // namespace
+
+double round_value(double value, double tolerance) {
+  return find_round_value(value, tolerance).value;
+}
+
+RoundValue find_round_angle(double angle_rad, double tolerance_rad) {
+  const double degrees = angle_rad * 180 / kPi;
+  RoundValue found = find_round_value(degrees, tolerance_rad * 180 / kPi);
+  found.value = found.value == degrees ? angle_rad : found.value * kPi / 180;
+  return found;
 }
 
 double round_angle(double angle_rad, double tolerance_rad) {
-  const double degrees = angle_rad * 180 / kPi;
-  const double rounded = round_value(degrees, tolerance_rad * 180 / kPi);
-  return rounded == degrees ? angle_rad : rounded * kPi / 180;
+  return find_round_angle(angle_rad, tolerance_rad).value;
 }
 
 }  // namespace hewn

@@ -2,6 +2,11 @@
 /// Snapping measured values to the round ones that a designer types.
 namespace hewn {
 
+struct RoundValue {
+  double value = 0;
+  int exponent = -1000;  ///< the value is a multiple of ten to this power; -1000: not rounded
+};
+
 /// The decimal with the fewest digits within `tolerance` of `value`, or `value` itself when no
 /// decimal much coarser than the tolerance is that close. Decimal places count relative to powers
 /// of ten, so that a part in metres rounds like one in millimetres. Never moves further than
@@ -10,5 +15,8 @@ double round_value(double value, double tolerance);
 
 /// The same for an angle, rounded in degrees.
 double round_angle(double angle_rad, double tolerance_rad);
+
+/// `round_angle`, and how round it is: the exponent counts in degrees.
+RoundValue find_round_angle(double angle_rad, double tolerance_rad);
 
 }  // namespace hewn

@@ -373,6 +373,7 @@ void Session::search_variants() {
   for (const int rounds : {0, 1}) {
     Project variant = project;
     variant.settings.tree.rounds = rounds;
+    variant.settings.tree.stray_rounds = 0;
     add(variant, fmt::format("{} rounds", rounds));
   }
   Project narrow = project;

@@ -21,6 +21,8 @@ namespace {
 constexpr double kSameError = 3e-5;
 /// What a wrong share of the points along lines counts beside one of the uniform points.
 constexpr double kLineWeight = 0.1;
+/// Counts for more than all errors close to the surface.
+constexpr double kStrayError = 1;
 constexpr int kFewCounterexamples = 3;
 constexpr std::size_t kMaxDensified = 2000;
 constexpr int kDensifyCopies = 4;
@@ -99,7 +101,7 @@ class TreeSearch {
     table_ = std::move(*table);
     cells_ = find_cells(table_, run_);
     separate();
-    for (int round = 0; round <= options_.rounds; ++round) {
+    for (int round = 0; round <= last_round(); ++round) {
       const bool has_list = search_round(round);
       if (run_.is_cancelled()) return RunContext::cancelled();
       if (!has_list) break;
@@ -182,9 +184,11 @@ class TreeSearch {
     return has_list;
   }
 
+  int last_round() const { return options_.rounds + options_.stray_rounds; }
+
   /// Rounds are seldom all needed, but none is known to be the last.
   double share_done(int round, double of_round) const {
-    return 0.2 + 0.7 * (round + of_round) / (options_.rounds + 1);
+    return 0.2 + 0.7 * (round + of_round) / (last_round() + 1);
   }
 
   std::uint64_t stream(int round, int task) const {
@@ -204,15 +208,18 @@ class TreeSearch {
     const SolidTest contains = [&solid](const Vec3& p) { return solid.contains(p); };
     Verification v =
         verify_list(space_, {current_.list, contains, tree}, {}, stream(round, 0), run_);
-    const double error = (1 - v.agreement) + kLineWeight * (1 - v.line_agreement);
+    const double error =
+        (1 - v.agreement) + kLineWeight * (1 - v.line_agreement) + (v.has_stray ? kStrayError : 0);
     const bool is_better = !best_ || error < best_error_ - kSameError ||
                            (error < best_error_ + kSameError && current_.cost() < best_->cost());
     if (is_better) {
       best_ = current_;
       best_error_ = error;
     }
-    if (round == options_.rounds || run_.should_stop()) return false;
-    if (static_cast<int>(v.counterexamples.size()) < kFewCounterexamples) return false;
+    if (round >= (v.has_stray ? last_round() : options_.rounds) || run_.should_stop()) return false;
+    if (!v.has_stray && static_cast<int>(v.counterexamples.size()) < kFewCounterexamples) {
+      return false;
+    }
     append_points(table_, surfaces_.halfspaces, v.counterexamples, run_);
     densify(v.counterexamples, round);
     cells_ = find_cells(table_, run_);
@@ -284,7 +291,7 @@ class TreeSearch {
   TreeAnswer answer_;
 };
 
-constexpr std::array<OptionField<TreeSearchOptions>, 6> kOptions{{
+constexpr std::array<OptionField<TreeSearchOptions>, 7> kOptions{{
     {"volume-points", &TreeSearchOptions::volume_points, 1000, 10'000'000,
      "uniform sample points of the first round"},
     {"starts", &TreeSearchOptions::starts, 1, 64, "independent constructions that are compared"},

@@ -34,7 +34,8 @@ struct TreeSearchOptions {
   int beam_width = 6;
   int neighbourhood_steps = 2500;  ///< stop after this many without improvement
   int regrow_tries = 10;           ///< terms tried for each gap of a window
-  int rounds = 4;                  ///< counterexample rounds at most
+  int rounds = 4;                  ///< counterexample rounds at most, but for stray pieces
+  int stray_rounds = 4;            ///< more rounds while points far from the mesh are wrong
 };
 
 template <>

@@ -33,6 +33,7 @@ bool is_near_inexact(const SampleSpace& space, const Vec3& p) {
 
 struct Tally {
   long right = 0, wrong = 0;
+  long far_wrong = 0;  ///< of the wrong ones: far from the mesh
   double agreement() const {
     const long total = right + wrong;
     return total == 0 ? 1 : static_cast<double>(right) / static_cast<double>(total);
@@ -65,6 +66,7 @@ class Comparison {
             space_.label->query().closest(p).distance > kFarFromMesh * space_.diagonal;
         if (!is_far && is_near_inexact(space_, p)) return;
         ++tallies[chunk].wrong;
+        tallies[chunk].far_wrong += is_far;
         if (is_far || is_certain(space_, p)) kept[chunk].push_back({p, is_inside});
       });
     });
@@ -72,6 +74,7 @@ class Comparison {
     for (std::size_t c = 0; c < chunks; ++c) {
       total.right += tallies[c].right;
       total.wrong += tallies[c].wrong;
+      total.far_wrong += tallies[c].far_wrong;
       wrong.insert(wrong.end(), kept[c].begin(), kept[c].end());
     }
     return total;
@@ -202,9 +205,12 @@ Verification verify_list(const SampleSpace& space, const Candidate& candidate,
   Verification result;
   const DecisionList& list = candidate.list;
   const Comparison comparison(space, candidate.contains, stream, run);
-  auto& wrong = result.counterexamples;
-  result.agreement =
-      comparison.compare(chunks_of(options.uniform_points), 1, uniform(space), wrong).agreement();
+  const auto agreement = [&](std::size_t chunks, std::uint64_t kind, const Proposal& proposal) {
+    const Tally tally = comparison.compare(chunks, kind, proposal, result.counterexamples);
+    result.has_stray = result.has_stray || tally.far_wrong > 0;
+    return tally.agreement();
+  };
+  result.agreement = agreement(chunks_of(options.uniform_points), 1, uniform(space));
   std::vector<int> owned;
   for (std::size_t g = 0; g < space.segmentation->groups.size(); ++g) {
     if (!space.label->owns_group(static_cast<int>(g))) continue;
@@ -213,19 +219,17 @@ Verification verify_list(const SampleSpace& space, const Candidate& candidate,
   }
   const SurfaceSampler by_area(space.mesh(), owned);
   if (!by_area.is_empty()) {
-    comparison.compare(chunks_of(options.near_points), 2, near_surface(space, by_area), wrong);
+    agreement(chunks_of(options.near_points), 2, near_surface(space, by_area));
   }
   const auto around = [&space](std::size_t, Rng& rng, const auto& emit) {
     for (std::size_t i = 0; i < kChunk; ++i) emit(sample_around_box(space, rng));
   };
-  comparison.compare(chunks_of(options.around_points), 3, around, wrong);
-  comparison.compare(list.items.size(), 4, term_boundaries(space, list, options.points_per_literal),
-                     wrong);
+  agreement(chunks_of(options.around_points), 3, around);
+  agreement(list.items.size(), 4, term_boundaries(space, list, options.points_per_literal));
   if (!candidate.tree.is_empty()) {
     const TreeRays rays(candidate.tree);
     const std::size_t chunks = static_cast<std::size_t>(options.lines) / kLinesPerChunk;
-    result.line_agreement =
-        comparison.compare(chunks, 5, along_lines(space, rays), wrong).agreement();
+    result.line_agreement = agreement(chunks, 5, along_lines(space, rays));
   }
   return result;
 }

@@ -32,6 +32,8 @@ struct Verification {
   double agreement = 1;
   /// The same for the points along lines, which weigh features by their surface, not their volume.
   double line_agreement = 1;
+  /// Whether a point far from the mesh is wrong: a piece that sticks out or is missing.
+  bool has_stray = false;
   /// Points classified wrong, fit to join the sample table.
   std::vector<LabelledPoint> counterexamples;
 };

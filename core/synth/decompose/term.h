@@ -4,16 +4,11 @@
 #include <vector>
 
 #include "core/compute/bits.h"
+#include "core/fit/halfspace_side.h"
 
 namespace hewn {
 
-/// One side of a halfspace.
-struct TermLiteral {
-  int halfspace = -1;
-  bool inside = true;
-
-  bool operator==(const TermLiteral&) const = default;
-};
+using TermLiteral = HalfspaceSide;
 
 /// An intersection of halfspace sides: a box, a capped cylinder, a box less a cylinder, ...
 struct Term {

@@ -3,8 +3,8 @@
 /// axis cap the cylinder, cone or prism on it.
 #include <vector>
 
+#include "core/fit/regular_prisms.h"
 #include "core/fit/surface_set.h"
-#include "core/synth/decompose/regular_prisms.h"
 #include "core/synth/decompose/term.h"
 
 namespace hewn {

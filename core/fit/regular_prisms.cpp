@@ -1,10 +1,13 @@
-#include "core/synth/decompose/regular_prisms.h"
+#include "core/fit/regular_prisms.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
 #include <utility>
+
+#include "core/fit/directions.h"
+#include "core/fit/round_values.h"
 
 namespace hewn {
 namespace {
@@ -14,11 +17,12 @@ constexpr int kMostSides = 12;
 constexpr double kSameAngleRad = 1e-3;  // the sides' own tolerances decide
 /// Of the inscribed radius: sides that are off by less are the prism's, however exact their fit.
 constexpr double kSameShare = 1e-4;
+constexpr double kFlush = 1e-7;        // of the diagonal
 constexpr long kMostTrials = 100'000;  // a part of many parallel planes in a star
 
 /// A plane side with its outward normal on one of the ring's directions.
 struct Side {
-  TermLiteral literal;
+  HalfspaceSide of;
   double offset = 0;
   double tolerance = 0;
 };
@@ -127,7 +131,7 @@ class PrismFinder {
       const double expected = normals[k].dot(solution.head<2>()) + prism.radius;
       const std::optional<Side> side = nearest(sides[k], expected, kSameShare * prism.radius);
       if (!side) return;
-      prism.sides.push_back(side->literal);
+      prism.sides.push_back(side->of);
     }
     prism.axis = axes.axis;
     prism.normal = axes.u;
@@ -165,7 +169,7 @@ class PrismFinder {
   /// Every prism turns up once for each of its sides.
   bool is_new(const RegularPrism& prism) {
     std::vector<std::pair<int, bool>> key;
-    for (const TermLiteral& l : prism.sides) key.emplace_back(l.halfspace, l.inside);
+    for (const HalfspaceSide& l : prism.sides) key.emplace_back(l.halfspace, l.inside);
     std::sort(key.begin(), key.end());
     return known_.insert(std::move(key)).second;
   }
@@ -177,7 +181,69 @@ class PrismFinder {
   long trials_ = 0;
 };
 
+Vec3 side_normal(const RegularPrism& prism, int k) {
+  const double angle = 2 * kPi * k / prism.count();
+  return prism.normal * std::cos(angle) + prism.axis.cross(prism.normal) * std::sin(angle);
+}
+
+/// Of a side's plane, along its outward normal.
+double offset_of(const SurfaceSet& surfaces, const HalfspaceSide& side) {
+  const double offset = surfaces.halfspaces[side.halfspace].surface.offset;
+  return side.inside ? offset : -offset;
+}
+
+double largest_misfit(const RegularPrism& prism, const SurfaceSet& surfaces) {
+  double largest = 0;
+  for (int k = 0; k < prism.count(); ++k) {
+    const double ideal = side_normal(prism, k).dot(prism.center) + prism.radius;
+    largest = std::max(largest, std::abs(offset_of(surfaces, prism.sides[k]) - ideal));
+  }
+  return largest;
+}
+
+/// Centre and radius by least squares over all sides.
+void fit_sides(RegularPrism& prism, const SurfaceSet& surfaces) {
+  // The normals of a regular polygon sum to zero, their squares to half the number of sides.
+  const double n = prism.count();
+  Vec3 center = Vec3::Zero();
+  double radius = 0;
+  for (int k = 0; k < prism.count(); ++k) {
+    const double offset = offset_of(surfaces, prism.sides[k]);
+    radius += offset / n;
+    center += side_normal(prism, k) * (offset * 2 / n);
+  }
+  prism.radius = radius;
+  prism.center = center;
+}
+
+void round_sides(RegularPrism& prism, double tolerance) {
+  prism.radius = round_value(prism.radius, tolerance);
+  if (!has_reference(prism.axis)) return;
+  const Tangents f = reference_frame(prism.axis);
+  prism.center = f.u * round_value(f.u.dot(prism.center), tolerance) +
+                 f.w * round_value(f.w.dot(prism.center), tolerance);
+}
+
 }  // namespace
+
+std::vector<int> settle_regular_prisms(SurfaceSet& surfaces, double diagonal, bool round_values) {
+  std::set<int> moved;
+  for (RegularPrism& prism : find_regular_prisms(surfaces)) {
+    const bool is_free =
+        std::none_of(prism.sides.begin(), prism.sides.end(),
+                     [&](const HalfspaceSide& s) { return moved.count(s.halfspace) > 0; });
+    if (!is_free || largest_misfit(prism, surfaces) < kFlush * diagonal) continue;
+    fit_sides(prism, surfaces);
+    if (round_values) round_sides(prism, largest_misfit(prism, surfaces));
+    for (const HalfspaceSide& side : prism.sides) {
+      // Along the plane's own normal, which is its direction exactly.
+      Surface& plane = surfaces.halfspaces[side.halfspace].surface;
+      plane.offset = plane.axis.dot(prism.center) + (side.inside ? prism.radius : -prism.radius);
+      moved.insert(side.halfspace);
+    }
+  }
+  return {moved.begin(), moved.end()};
+}
 
 std::vector<RegularPrism> find_regular_prisms(const SurfaceSet& surfaces) {
   return PrismFinder(surfaces).run();

@@ -1,0 +1,67 @@
+#include "core/fit/regular_prisms.h"
+
+#include <doctest/doctest.h>
+
+#include "core/base/rng.h"
+#include "core/csg/prism.h"
+#include "core/segment/segment.h"
+#include "tests/support/solids.h"
+
+namespace hewn {
+namespace {
+
+/// A turned prism whose vertices are off by up to `noise`.
+SurfaceSet sides_of(int sides, double radius, double noise) {
+  Literal prism;
+  prism.kind = SolidKind::Prism;
+  prism.sides = sides;
+  prism.radius = radius;
+  prism.height = 3;
+  prism.rotation = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  prism.origin = Vec3(4, -1, 2);
+  Mesh mesh = prism_mesh(prism);
+  Rng rng(3);
+  for (Vec3& p : mesh.vertices) {
+    p = prism.to_world(p);
+    for (double& c : p) c += noise * rng.uniform(-1, 1);
+  }
+  mesh = make_mesh(mesh.vertices, mesh.triangles);
+  const RunContext run;
+  const Result<Segmentation> groups = segment(mesh, {}, run);
+  REQUIRE(groups.has_value());
+  Result<SurfaceSet> surfaces = regularise(mesh, *groups, {}, run);
+  REQUIRE(surfaces.has_value());
+  return std::move(*surfaces);
+}
+
+TEST_CASE("the sides of a turned, noisy prism are flush with the ideal one") {
+  for (const int sides : {5, 6, 8, 10, 12}) {
+    const SurfaceSet surfaces = sides_of(sides, 1.25, 2e-5);
+    const auto prisms = find_regular_prisms(surfaces);
+    REQUIRE_FALSE(prisms.empty());
+    const RegularPrism& prism = prisms.front();
+    REQUIRE(prism.count() == sides);
+    CHECK(prism.radius == doctest::Approx(1.25).epsilon(3e-5));
+    for (int k = 0; k < sides; ++k) {
+      const HalfspaceSide& side = prism.sides[k];
+      const Surface& plane = surfaces.halfspaces[side.halfspace].surface;
+      const double angle = 2 * kPi * k / sides;
+      const Vec3 normal = prism.normal * std::cos(angle) +
+                          prism.axis.cross(prism.normal) * std::sin(angle);
+      CHECK(normal.cross(plane.axis).norm() < 1e-12);
+      CHECK(std::abs(plane.signed_distance(prism.center + normal * prism.radius)) < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("settling moves nothing that is flush") {
+  SurfaceSet surfaces = sides_of(6, 0.75, 0);
+  CHECK(settle_regular_prisms(surfaces, 10, true).empty());
+  double shift = 0;
+  for (Halfspace& h : surfaces.halfspaces) h.surface.offset += shift += 2e-6;
+  CHECK(settle_regular_prisms(surfaces, 10, true).size() == 6);
+  CHECK(settle_regular_prisms(surfaces, 10, true).empty());
+}
+
+}  // namespace
+}  // namespace hewn
