@@ -74,6 +74,7 @@ void add_inflate(CLI::App& app, RunFlags& run_flags, Command& chosen) {
   add("--double-negation", options.double_negation, "probability a round of !!A for A");
   add("--distributive", options.distributive, "probability a round of A B + A C for A (B + C)");
   add("--absorption", options.absorption, "probability a round of A + A B or A (A + B) for A");
+  add("--genetic", options.genetic, "probability a round of redundant parts by genetic search");
   command->add_option("--most-nodes", options.most_nodes, "the largest tree to make [1000]")
       ->check(CLI::Range(1, 1'000'000));
   add_run_flags(*command, run_flags);

@@ -45,4 +45,17 @@ std::vector<int> LiteralSet::add(const Tree& tree) {
   return index;
 }
 
+double scale_of(const Tree& tree) {
+  const double diagonal = tree.bounds().diagonal();
+  if (std::isfinite(diagonal) && diagonal > 0) return diagonal;
+  Box3 box;
+  for (const Literal& s : tree.literals) {
+    const Box3 b = s.bounds();
+    if (b.is_empty()) continue;
+    box.extend(b.lo);
+    box.extend(b.hi);
+  }
+  return box.diagonal() > 0 ? box.diagonal() : 1;
+}
+
 }  // namespace hewn

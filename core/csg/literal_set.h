@@ -20,4 +20,7 @@ class LiteralSet {
   std::vector<Literal> literals_;
 };
 
+/// The diagonal of the tree's box; of its literals' boxes together where the tree is unbounded.
+double scale_of(const Tree& tree);
+
 }  // namespace hewn

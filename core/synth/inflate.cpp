@@ -1,9 +1,11 @@
 #include "core/synth/inflate.h"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/synth/evolve/redundancy_growth.h"
 
 namespace hewn {
 namespace {
@@ -45,6 +47,46 @@ Term term_of(const Tree& tree, int index) {
   return left;
 }
 
+/// In postfix order; nothing for operations without operands, which genomes cannot express.
+bool append_tokens(const Term& t, Genome& out) {
+  if (t.op == Op::Literal) {
+    out.push_back(static_cast<Token>(t.literal));
+    return true;
+  }
+  if (t.children.empty()) return false;
+  for (const Term& child : t.children) {
+    if (!append_tokens(child, out)) return false;
+  }
+  out.push_back(t.op == Op::Complement     ? kComplementToken
+                : t.op == Op::Union        ? kUnionToken
+                : t.op == Op::Intersection ? kIntersectionToken
+                                           : kDifferenceToken);
+  return true;
+}
+
+Term term_of(const Genome& genome) {
+  std::vector<Term> stack;
+  for (const Token token : genome) {
+    if (token >= 0) {
+      Term leaf;
+      leaf.literal = token;
+      stack.push_back(std::move(leaf));
+      continue;
+    }
+    Term last = std::move(stack.back());
+    stack.pop_back();
+    if (token == kComplementToken) {
+      stack.push_back(complement(std::move(last)));
+      continue;
+    }
+    const Op op = token == kUnionToken          ? Op::Union
+                  : token == kIntersectionToken ? Op::Intersection
+                                                : Op::Difference;
+    stack.back() = operation(op, std::move(stack.back()), std::move(last));
+  }
+  return std::move(stack.back());
+}
+
 int write(const Term& t, const std::vector<Literal>& literals, Tree& out) {
   if (t.op == Op::Literal) return out.add_literal(literals[static_cast<std::size_t>(t.literal)]);
   std::vector<int> children;
@@ -65,8 +107,12 @@ void collect(Term& t, std::vector<Term*>& out) {
 
 class Inflater {
  public:
-  Inflater(Term root, const InflateOptions& options, const RunContext& run)
-      : root_(std::move(root)), options_(options), run_(run), rng_(run.seed, 99) {}
+  Inflater(const Tree& tree, const InflateOptions& options, const RunContext& run)
+      : tree_(tree),
+        root_(term_of(tree, tree.root)),
+        options_(options),
+        run_(run),
+        rng_(run.seed, 99) {}
 
   Result<Term> work() {
     for (int i = 0; i < options_.iterations; ++i) {
@@ -75,6 +121,9 @@ class Inflater {
       if (happens(options_.double_negation)) negate_twice();
       if (happens(options_.distributive)) distribute();
       if (happens(options_.absorption)) absorb();
+      if (happens(options_.genetic)) {
+        if (auto done = evolve_redundancy(); !done) return done.error();
+      }
     }
     return std::move(root_);
   }
@@ -143,22 +192,40 @@ class Inflater {
         operation(is_union ? Op::Union : Op::Intersection, std::move(copy), std::move(absorbed));
   }
 
+  Result<void> evolve_redundancy() {
+    Genome genome;
+    if (!append_tokens(root_, genome)) return {};
+    if (!growth_) {
+      auto growth = RedundancyGrowth::of(tree_, run_);
+      if (!growth) return growth.error();
+      growth_.emplace(std::move(*growth));
+    }
+    RunContext run = run_;
+    run.seed = rng_.next();
+    const auto larger = growth_->grow(genome, options_.most_nodes, run);
+    if (!larger) return larger.error();
+    root_ = term_of(*larger);
+    return {};
+  }
+
+  const Tree& tree_;
   Term root_;
   const InflateOptions& options_;
   const RunContext& run_;
   Rng rng_;
+  std::optional<RedundancyGrowth> growth_;
 };
 
 }  // namespace
 
 Result<Tree> inflate(const Tree& tree, const InflateOptions& options, const RunContext& run) {
   for (const double p : {options.copied_subtree, options.double_negation, options.distributive,
-                         options.absorption}) {
+                         options.absorption, options.genetic}) {
     if (p >= 0 && p <= 1) continue;
     return Error{ErrorCode::InvalidArgument, "a probability must lie between 0 and 1"};
   }
   if (tree.is_empty()) return tree;
-  auto term = Inflater(term_of(tree, tree.root), options, run).work();
+  auto term = Inflater(tree, options, run).work();
   if (!term) return term.error();
   Tree out;
   out.root = write(*term, tree.literals, out);

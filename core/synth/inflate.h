@@ -13,10 +13,12 @@ struct InflateOptions {
   double double_negation = 1;  ///< A to !!A
   double distributive = 1;     ///< A (B + C) to A B + A C, or its dual
   double absorption = 1;       ///< A to A + A B or A (A + B), with B from elsewhere in the tree
+  double genetic = 1;          ///< redundant parts found by the genetic algorithm
   int most_nodes = 1000;       ///< an application that would exceed it is left out
 };
 
-/// A larger tree of the same solid, binary. Deterministic for `run.seed`.
+/// A larger tree of the same solid, binary; what the genetic algorithm adds is compared as
+/// optimised trees are. Deterministic for `run.seed`.
 /// Fails with: InvalidArgument (a probability outside [0, 1]), Cancelled.
 Result<Tree> inflate(const Tree& tree, const InflateOptions& options, const RunContext& run);
 

@@ -70,19 +70,6 @@ double diagonal_of_inside(const Tree& tree, const Arrangement& arrangement, cons
   return box.diagonal();
 }
 
-double scale_of(const Tree& tree) {
-  const double diagonal = tree.bounds().diagonal();
-  if (std::isfinite(diagonal) && diagonal > 0) return diagonal;
-  Box3 box;
-  for (const Literal& s : tree.literals) {
-    const Box3 b = s.bounds();
-    if (b.is_empty()) continue;
-    box.extend(b.lo);
-    box.extend(b.hi);
-  }
-  return box.diagonal() > 0 ? box.diagonal() : 1;
-}
-
 /// Many literals see each other's cells, so that each needs fewer lines.
 ArrangementOptions lines_for(ArrangementOptions options, std::size_t literals) {
   constexpr double kFew = 60;
@@ -471,9 +458,13 @@ class Optimiser {
   /// the same test as the tree itself.
   Result<void> find_front(const Formula& found, const CellColumns& cells) {
     StageTimer timer(out_.seconds, "front");
-    std::vector<Formula> starts = {found};
-    if (options_.tolerance <= 0) starts.push_back(input_formula());
-    const auto evolved = evolve(starts, cells, cells.all(), options_.remaining.genetic, run_);
+    std::vector<Genome> starts = {genome_of(found)};
+    const Formula input = input_formula();
+    if (options_.tolerance <= 0 && !input.is_constant()) starts.push_back(genome_of(input));
+    Formula wanted = found;
+    evaluate(wanted, cells);
+    const auto evolved =
+        evolve(starts, cells, wanted.value, cells.all(), options_.remaining.genetic, run_);
     if (!evolved) return evolved.error();
     EquivalenceOptions test = options_.equivalence;
     test.scale = sampler_.arrangement().scale;

@@ -22,9 +22,12 @@ Result<Formula> rebuild_remaining(RemainingMethod method, Formula rest, const Ce
     return rewrite_search(std::move(rest), cells, care, options.rewrite, run);
   }
   if (method == RemainingMethod::Genetic) {
-    auto evolved = evolve({std::move(rest)}, cells, care, options.genetic, run);
+    rest = normalised(std::move(rest));
+    if (rest.is_constant()) return rest;
+    const Column wanted = evaluate(rest, cells);
+    const auto evolved = evolve({genome_of(rest)}, cells, wanted, care, options.genetic, run);
     if (!evolved) return evolved.error();
-    return std::move(evolved->best);
+    return formula_of(evolved->best);
   }
   const TwoLevelProblem problem = two_level_problem(std::move(rest), cells, care);
   const auto cubes = cubes_by(method, problem, options.two_level, run);

@@ -17,12 +17,12 @@ struct Creature {
 
 class Evolution {
  public:
-  Evolution(const std::vector<Formula>& starts, const CellColumns& cells, const Column& care,
-            const GeneticOptions& options, const RunContext& run)
+  Evolution(const std::vector<Genome>& starts, const CellColumns& cells, const Column& wanted,
+            const Column& care, const GeneticOptions& options, const RunContext& run)
       : starts_(starts),
         options_(options),
         run_(run),
-        table_(cells, starts[0].value, care, run),
+        table_(cells, wanted, care, run),
         rng_(run.seed, 2020) {}
 
   Result<GeneticResult> work() {
@@ -41,25 +41,20 @@ class Evolution {
       if (auto done = breed(); !done) return done.error();
       result_.iterations = i + 1;
     }
-    result_.best = formula_of(best_);
+    result_.best = best_;
     result_.front = archive_.front();
     return std::move(result_);
   }
 
  private:
   Result<void> begin() {
-    std::vector<Genome> inputs;
     std::size_t largest = 0;
-    for (const Formula& f : starts_) {
-      if (f.is_constant()) continue;
-      inputs.push_back(genome_of(f));
-      largest = std::max(largest, inputs.back().size());
-    }
+    for (const Genome& start : starts_) largest = std::max(largest, start.size());
     most_nodes_ = std::max(3, static_cast<int>(options_.largest * static_cast<double>(largest)));
     for (int i = 0; i < options_.population; ++i) {
       Creature c;
-      const auto copy = static_cast<std::size_t>(i / 2) % inputs.size();
-      c.genome = i % 2 == 0 ? inputs[copy]
+      const auto copy = static_cast<std::size_t>(i / 2) % starts_.size();
+      c.genome = i % 2 == 0 ? starts_[copy]
                             : random_genome(table_.literals(), static_cast<int>(largest), rng_);
       population_.push_back(std::move(c));
     }
@@ -89,15 +84,19 @@ class Evolution {
                  2;
     const double proximity = static_cast<double>(c.measures.proximity) / c.measures.size;
     archive_.offer({c.genome, c.geometry, c.measures.size, proximity});
-    if (best_.empty()) best_ = c.genome;  // the first one is a copy of the input
     if (!c.is_right()) return;
-    // Of right ones the smallest; then the one whose operands overlap most.
-    const bool is_better =
-        best_.empty() || c.genome.size() < best_.size() ||
-        (c.genome.size() == best_.size() && c.measures.proximity > best_proximity_);
-    if (!is_better) return;
+    if (!best_.empty() && !is_better_than_best(c)) return;
     best_ = c.genome;
     best_proximity_ = c.measures.proximity;
+  }
+
+  /// Of two right ones, after the signs of the weights.
+  bool is_better_than_best(const Creature& c) const {
+    if (c.genome.size() != best_.size()) {
+      return (c.genome.size() < best_.size()) == (options_.size_weight >= 0);
+    }
+    return options_.proximity_weight >= 0 ? c.measures.proximity > best_proximity_
+                                          : c.measures.proximity < best_proximity_;
   }
 
   /// Scores are relative to the sizes in the population.
@@ -197,7 +196,7 @@ class Evolution {
     }
   }
 
-  const std::vector<Formula>& starts_;
+  const std::vector<Genome>& starts_;
   const GeneticOptions& options_;
   const RunContext& run_;
   FitnessTable table_;
@@ -212,25 +211,15 @@ class Evolution {
 
 }  // namespace
 
-Result<GeneticResult> evolve(const std::vector<Formula>& starts, const CellColumns& cells,
-                             const Column& care, const GeneticOptions& options,
-                             const RunContext& run) {
+Result<GeneticResult> evolve(const std::vector<Genome>& starts, const CellColumns& cells,
+                             const Column& wanted, const Column& care,
+                             const GeneticOptions& options, const RunContext& run) {
   if (starts.empty() || options.population < 2 || options.tournament < 1 ||
       options.iterations < 0 || !(options.largest >= 1)) {
     return Error{ErrorCode::InvalidArgument,
                  "a genetic search needs a tree, two creatures and a tournament of one"};
   }
-  std::vector<Formula> normal;
-  for (const Formula& f : starts) {
-    normal.push_back(normalised(f));
-    evaluate(normal.back(), cells);
-  }
-  if (normal[0].is_constant()) {
-    GeneticResult trivial;
-    trivial.best = normal[0];
-    return trivial;
-  }
-  return Evolution(normal, cells, care, options, run).work();
+  return Evolution(starts, cells, wanted, care, options, run).work();
 }
 
 }  // namespace hewn

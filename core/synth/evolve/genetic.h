@@ -24,17 +24,18 @@ struct GeneticOptions {
 };
 
 struct GeneticResult {
-  Formula best;                     ///< the best one with all rows right
+  /// Of those with all rows right the smallest, or the largest with a negative weight of the size.
+  Genome best;
   std::vector<ParetoMember> front;  ///< of all creatures that were seen
   long evaluations = 0;
   int iterations = 0;
 };
 
-/// Evolves trees from copies of `starts`, which are formulas of one solid, and random ones. The
-/// best one agrees with `starts[0]` on every cell of `care`.
+/// Evolves trees from copies of `starts`, of which the first one is right, and random ones. A tree
+/// is right where it holds the cells of `wanted`, among those of `care`.
 /// Fails with: InvalidArgument, Cancelled. Deterministic for `run.seed`.
-Result<GeneticResult> evolve(const std::vector<Formula>& starts, const CellColumns& cells,
-                             const Column& care, const GeneticOptions& options,
-                             const RunContext& run);
+Result<GeneticResult> evolve(const std::vector<Genome>& starts, const CellColumns& cells,
+                             const Column& wanted, const Column& care,
+                             const GeneticOptions& options, const RunContext& run);
 
 }  // namespace hewn

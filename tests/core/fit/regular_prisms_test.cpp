@@ -46,8 +46,8 @@ TEST_CASE("the sides of a turned, noisy prism are flush with the ideal one") {
       const HalfspaceSide& side = prism.sides[k];
       const Surface& plane = surfaces.halfspaces[side.halfspace].surface;
       const double angle = 2 * kPi * k / sides;
-      const Vec3 normal = prism.normal * std::cos(angle) +
-                          prism.axis.cross(prism.normal) * std::sin(angle);
+      const Vec3 normal =
+          prism.normal * std::cos(angle) + prism.axis.cross(prism.normal) * std::sin(angle);
       CHECK(normal.cross(plane.axis).norm() < 1e-12);
       CHECK(std::abs(plane.signed_distance(prism.center + normal * prism.radius)) < 1e-12);
     }

@@ -48,11 +48,12 @@ TEST_CASE("each strategy works alone and the size is bounded") {
     REQUIRE(larger.has_value());
     return tree_size(*larger);
   };
-  CHECK(size_with({1, 0, 0, 0, 0}) == 5);
-  CHECK(size_with({1, 0, 1, 0, 0}) == 7);
-  CHECK(size_with({1, 0, 0, 1, 0}) == 7);
-  CHECK(size_with({1, 1, 0, 0, 0}) > 5);
-  CHECK(size_with({1, 0, 0, 0, 1}) > 7);
+  CHECK(size_with({1, 0, 0, 0, 0, 0}) == 5);
+  CHECK(size_with({1, 0, 1, 0, 0, 0}) == 7);
+  CHECK(size_with({1, 0, 0, 1, 0, 0}) == 7);
+  CHECK(size_with({1, 1, 0, 0, 0, 0}) > 5);
+  CHECK(size_with({1, 0, 0, 0, 1, 0}) > 7);
+  CHECK(size_with({1, 0, 0, 0, 0, 1}) > 5);
   InflateOptions many;
   many.iterations = 50;
   many.most_nodes = 60;

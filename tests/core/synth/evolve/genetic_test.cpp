@@ -12,6 +12,13 @@ using testing::all_cells;
 using testing::random_formula;
 using testing::same_on;
 
+/// From the formula itself, which may not be a constant.
+Result<GeneticResult> evolved_from(Formula f, const CellColumns& cells,
+                                   const GeneticOptions& options, const RunContext& run) {
+  evaluate(f, cells);
+  return evolve({genome_of(f)}, cells, f.value, cells.all(), options, run);
+}
+
 TEST_CASE("a genome is the formula, and its parts are whole subtrees") {
   Rng rng(61);
   const CellColumns cells = all_cells(5);
@@ -64,22 +71,37 @@ TEST_CASE("evolution keeps the solid and finds smaller trees") {
   int smaller = 0;
   for (int i = 0; i < 20; ++i) {
     const Formula f = normalised(random_formula(rng, 5, 4));
+    if (f.is_constant()) continue;
     RunContext run;
     run.seed = static_cast<std::uint64_t>(i);
-    const auto result = evolve({f}, cells, cells.all(), options, run);
+    const auto result = evolved_from(f, cells, options, run);
     REQUIRE(result.has_value());
-    REQUIRE(same_on(f, result->best, cells, cells.all()));
-    CHECK(formula_size(result->best) <= formula_size(f));
-    smaller += formula_size(result->best) < formula_size(f) ? 1 : 0;
+    REQUIRE(same_on(f, formula_of(result->best), cells, cells.all()));
+    CHECK(static_cast<int>(result->best.size()) <= formula_size(f));
+    smaller += static_cast<int>(result->best.size()) < formula_size(f) ? 1 : 0;
     for (const ParetoMember& a : result->front) {
       for (const ParetoMember& b : result->front) CHECK_FALSE(dominates(a, b));
     }
-    const auto again = evolve({f}, cells, cells.all(), options, run);
+    const auto again = evolved_from(f, cells, options, run);
     REQUIRE(again.has_value());
     CHECK(again->evaluations == result->evaluations);
-    CHECK(same_on(again->best, result->best, cells, cells.all()));
+    CHECK(again->best == result->best);
   }
   CHECK(smaller > 3);
+}
+
+TEST_CASE("with a negative weight of the size the largest tree wins") {
+  const CellColumns cells = all_cells(3);
+  const Formula f = Formula::join(Formula::Kind::Or, {Formula::leaf(0), Formula::leaf(1)});
+  GeneticOptions options;
+  options.iterations = 40;
+  options.size_weight = -10;
+  options.largest = 5;
+  const auto result = evolved_from(f, cells, options, {});
+  REQUIRE(result.has_value());
+  CHECK(result->best.size() > 10);
+  CHECK(result->best.size() <= 15);
+  CHECK(same_on(f, formula_of(result->best), cells, cells.all()));
 }
 
 TEST_CASE("evolution on a device that breaks ends as on the processor") {
@@ -90,7 +112,7 @@ TEST_CASE("evolution on a device that breaks ends as on the processor") {
   options.iterations = 40;
   RunContext run;
   run.threads = 1;
-  const auto expected = evolve({f}, cells, cells.all(), options, run);
+  const auto expected = evolved_from(f, cells, options, run);
   REQUIRE(expected.has_value());
   for (const int good_calls : {0, 3, 50, 100000}) {
     int warnings = 0;
@@ -99,9 +121,9 @@ TEST_CASE("evolution on a device that breaks ends as on the processor") {
     other.on_log = [&](const LogEntry& entry) { warnings += entry.severity == Severity::Warning; };
     other.compute = std::make_shared<Compute>(1, DeviceChoice{DeviceChoice::Kind::Cuda, 0},
                                               testing::opens(device, good_calls, testing::kLost));
-    const auto found = evolve({f}, cells, cells.all(), options, other);
+    const auto found = evolved_from(f, cells, options, other);
     REQUIRE(found.has_value());
-    CHECK(genome_of(found->best) == genome_of(expected->best));
+    CHECK(found->best == expected->best);
     CHECK(found->evaluations == expected->evaluations);
     REQUIRE(found->front.size() == expected->front.size());
     for (std::size_t i = 0; i < found->front.size(); ++i) {
@@ -128,7 +150,7 @@ TEST_CASE("evolution stops on request") {
   const CellColumns cells = all_cells(3);
   RunContext run;
   run.cancel->cancel();
-  const auto stopped = evolve({Formula::leaf(0)}, cells, cells.all(), {}, run);
+  const auto stopped = evolved_from(Formula::leaf(0), cells, {}, run);
   REQUIRE_FALSE(stopped.has_value());
   CHECK(stopped.error().code == ErrorCode::Cancelled);
 }
