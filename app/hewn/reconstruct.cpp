@@ -16,7 +16,7 @@ namespace hewn {
 namespace {
 
 struct ReconstructFlags {
-  std::string input, output, report, picture, search = "list", facets = "true";
+  std::string input, output, report, picture, facets = "true";
   bool is_dark = false;
   SettingFlags settings;
 };
@@ -97,16 +97,24 @@ void add_reconstruct(CLI::App& app, RunFlags& run_flags, Command& chosen) {
   command->add_option("--report", flags->report, "facts, timings and errors as JSON");
   command->add_option("--picture", flags->picture, "input and result side by side, PNG");
   command->add_flag("--dark", flags->is_dark, "dark background for the picture");
-  command->add_option("--search", flags->search, "search strategy: list (decision list)")
-      ->check(CLI::IsMember({"list"}));
+  command
+      ->add_option_function<std::string>(
+          "--search",
+          [flags](const std::string& text) {
+            flags->settings.given.push_back({"tree", "search", text});
+          },
+          "list: a decision list, the default; evolve: the published genetic search, to compare "
+          "with")
+      ->check(CLI::IsMember({"list", "evolve"}));
   command
       ->add_option("--facets", flags->facets,
                    "true: circles are true circles; match: with the mesh's own sides and phase")
       ->check(CLI::IsMember({"true", "match"}));
   add_run_flags(*command, run_flags);
-  add_setting_flags(*command,
-                    {"load", "segment", "curvature", "regularise", "tree", "verify", "device"},
-                    flags->settings);
+  add_setting_flags(
+      *command,
+      {"load", "segment", "curvature", "regularise", "tree", "evolve", "verify", "device"},
+      flags->settings);
   command->callback([&chosen, flags] {
     chosen = [flags](Environment& environment) { return run_reconstruct(*flags, environment); };
   });

@@ -276,7 +276,10 @@ class Reconstructor {
     problem.surfaces = &surfaces;
     if (!is_whole) problem.groups = partition.groups;
     problem.is_subtracted = partition.is_subtracted;
-    auto answer = find_tree(problem, project_.settings.tree, run);
+    const Settings& settings = project_.settings;
+    const bool evolves = settings.tree.search == static_cast<int>(TreeSearchKind::Evolve);
+    auto answer = evolves ? evolve_tree(problem, settings.evolve, run)
+                          : find_tree(problem, settings.tree, run);
     if (answer) {
       result.answer = std::move(*answer);
       return result;

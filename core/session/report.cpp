@@ -25,7 +25,8 @@ Json partition_json(const PartitionResult& partition) {
             {"halfspaces", partition.answer.halfspaces},
             {"separating", partition.answer.separating},
             {"cells", partition.answer.cells},
-            {"terms_grown", partition.answer.terms_grown}}}};
+            {"terms_grown", partition.answer.terms_grown},
+            {"evaluations", partition.answer.evaluations}}}};
 }
 
 Json literal_counts(const Tree& tree) {

@@ -55,6 +55,7 @@ std::vector<OptionSection> bind_settings(Settings& settings) {
       {"regularise", "Cleaning up fitted surfaces.", bind_options(settings.regularise)},
       {"tree", "Finding the tree of one partition. Budgets count steps, never seconds.",
        bind_options(settings.tree)},
+      {"evolve", "The genetic search (`--search evolve`).", bind_options(settings.evolve)},
       {"verify", "Judging the tree on fresh points.", bind_options(settings.verify)},
       {"device",
        "Where heavy work runs; never changes a result. `--device auto|cpu|cuda[:INDEX]` sets both.",

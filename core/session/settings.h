@@ -8,6 +8,7 @@
 #include "core/segment/curvature/curvature_options.h"
 #include "core/segment/segment.h"
 #include "core/session/option_io.h"
+#include "core/synth/evolve/evolve_tree.h"
 #include "core/synth/find_tree.h"
 
 namespace hewn {
@@ -40,6 +41,7 @@ struct Settings {
   SegmentOptions segment;
   RegulariseOptions regularise;
   TreeSearchOptions tree;
+  EvolveOptions evolve;
   VerifySettings verify;
   DeviceOptions device;
 };

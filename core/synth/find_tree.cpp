@@ -291,7 +291,11 @@ class TreeSearch {
   TreeAnswer answer_;
 };
 
-constexpr std::array<OptionField<TreeSearchOptions>, 7> kOptions{{
+constexpr std::array<OptionField<TreeSearchOptions>, 8> kOptions{{
+    {"search", &TreeSearchOptions::search, 0, 1,
+     "list: a decision list; evolve: the published genetic search over bounded primitives, to "
+     "compare with",
+     "list,evolve"},
     {"volume-points", &TreeSearchOptions::volume_points, 1000, 10'000'000,
      "uniform sample points of the first round"},
     {"starts", &TreeSearchOptions::starts, 1, 64, "independent constructions that are compared"},

@@ -27,8 +27,14 @@ struct TreeProblem {
   bool is_subtracted = false;
 };
 
+enum class TreeSearchKind {
+  List,    ///< a decision list: `find_tree`
+  Evolve,  ///< the published genetic search: `evolve_tree`
+};
+
 /// Budgets count steps, never time, so that results do not depend on the machine's speed.
 struct TreeSearchOptions {
+  int search = 0;             ///< a `TreeSearchKind`
   int volume_points = 20000;  ///< uniform samples of the first round
   int starts = 6;             ///< independent constructions; the best are refined further
   int beam_width = 6;
@@ -50,6 +56,7 @@ struct TreeAnswer {
   int separating = 0;  ///< halfspaces added to tell inside from outside
   int cells = 0;       ///< distinct sign signatures
   long terms_grown = 0;
+  long evaluations = 0;  ///< of trees, in the genetic search
 };
 
 /// Finds a small tree for the problem: a decision list of terms on bit columns, refined by large

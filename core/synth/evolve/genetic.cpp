@@ -1,8 +1,10 @@
 #include "core/synth/evolve/genetic.h"
 
 #include <algorithm>
-#include <numeric>
+#include <optional>
 #include <utility>
+
+#include "core/synth/evolve/breeding.h"
 
 namespace hewn {
 namespace {
@@ -50,7 +52,9 @@ class Evolution {
   Result<void> begin() {
     std::size_t largest = 0;
     for (const Genome& start : starts_) largest = std::max(largest, start.size());
-    most_nodes_ = std::max(3, static_cast<int>(options_.largest * static_cast<double>(largest)));
+    const int most_nodes =
+        std::max(3, static_cast<int>(options_.largest * static_cast<double>(largest)));
+    breeder_.emplace(table_.literals(), most_nodes);
     for (int i = 0; i < options_.population; ++i) {
       Creature c;
       const auto copy = static_cast<std::size_t>(i / 2) % starts_.size();
@@ -119,81 +123,25 @@ class Evolution {
                      [](const Creature& a, const Creature& b) { return a.score > b.score; });
   }
 
-  const Creature& select() {
-    std::size_t best = rng_.below(population_.size());
-    for (int i = 1; i < options_.tournament; ++i) {
-      // The population is sorted: the smaller index wins.
-      const std::size_t other = rng_.below(population_.size());
-      best = std::min(best, other);
-    }
-    return population_[best];
-  }
-
   Result<void> breed() {
     std::vector<Creature> next(
         population_.begin(),
         population_.begin() + std::min<std::ptrdiff_t>(
                                   options_.elite, static_cast<std::ptrdiff_t>(population_.size())));
     const std::size_t kept = next.size();
+    // The population is sorted: the smaller index wins.
+    const auto selected = [&]() -> const Genome& {
+      return population_[tournament(population_.size(), options_.tournament, rng_)].genome;
+    };
     while (next.size() < population_.size()) {
       Creature child;
-      child.genome = select().genome;
-      if (rng_.uniform() < options_.crossover) {
-        const Genome other = select().genome;
-        exchange(child.genome, other);
-      }
-      if (rng_.uniform() < options_.mutation) mutate(child.genome);
+      child.genome = selected();
+      if (rng_.uniform() < options_.crossover) breeder_->cross(child.genome, selected(), rng_);
+      if (rng_.uniform() < options_.mutation) breeder_->mutate(child.genome, rng_);
       next.push_back(std::move(child));
     }
     population_ = std::move(next);
     return measure(std::span(population_).subspan(kept));
-  }
-
-  /// Puts `part` in the place of the subtree that ends at `last`, when there is room.
-  void replace(Genome& genome, std::size_t last, const Genome& part) const {
-    const std::size_t first = subtree_begin(genome, last);
-    const std::size_t size = genome.size() - (last - first + 1) + part.size();
-    if (static_cast<int>(size) > most_nodes_) return;
-    const auto at = genome.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto rest = genome.erase(at, genome.begin() + static_cast<std::ptrdiff_t>(last) + 1);
-    genome.insert(rest, part.begin(), part.end());
-  }
-
-  /// A random subtree of the other parent.
-  void exchange(Genome& genome, const Genome& other) {
-    const std::size_t last = rng_.below(other.size());
-    const std::size_t first = subtree_begin(other, last);
-    const Genome part(other.begin() + static_cast<std::ptrdiff_t>(first),
-                      other.begin() + static_cast<std::ptrdiff_t>(last) + 1);
-    const std::size_t place = rng_.below(genome.size());
-    replace(genome, place, part);
-  }
-
-  /// A new subtree, a subtree in the place of its parent, another literal, or another operation.
-  void mutate(Genome& genome) {
-    const std::size_t place = rng_.below(genome.size());
-    switch (rng_.below(4)) {
-      case 0:
-        replace(genome, place, random_genome(table_.literals(), 7, rng_));
-        return;
-      case 1: {
-        if (genome[place] >= 0) return;
-        const std::size_t first = subtree_begin(genome, place - 1);
-        replace(genome, place,
-                Genome(genome.begin() + static_cast<std::ptrdiff_t>(first),
-                       genome.begin() + static_cast<std::ptrdiff_t>(place)));
-        return;
-      }
-      case 2:
-        if (genome[place] < 0) return;
-        genome[place] = static_cast<Token>(rng_.below(static_cast<std::size_t>(table_.literals())));
-        return;
-      default: {
-        if (genome[place] >= 0 || genome[place] == kComplementToken) return;
-        constexpr Token kOps[] = {kUnionToken, kIntersectionToken, kDifferenceToken};
-        genome[place] = kOps[rng_.below(3)];
-      }
-    }
   }
 
   const std::vector<Genome>& starts_;
@@ -201,7 +149,7 @@ class Evolution {
   const RunContext& run_;
   FitnessTable table_;
   Rng rng_;
-  int most_nodes_ = 0;
+  std::optional<Breeder> breeder_;
   std::vector<Creature> population_;
   Genome best_;
   int best_proximity_ = 0;

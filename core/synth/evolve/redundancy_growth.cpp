@@ -58,8 +58,8 @@ Result<Genome> RedundancyGrowth::grow(const Genome& genome, int most_nodes,
   for (Token& t : start) {
     if (t >= 0) t = static_cast<Token>(column_of_[static_cast<std::size_t>(t)]);
   }
-  auto evolved = evolve({start}, cells_, value_of(start, cells_), cells_.all(),
-                        growing(start.size()), run);
+  auto evolved =
+      evolve({start}, cells_, value_of(start, cells_), cells_.all(), growing(start.size()), run);
   if (!evolved) return evolved.error();
   const auto compared = compare_trees(tree_of(start), tree_of(evolved->best), {}, run);
   if (!compared) return compared.error();

@@ -1,0 +1,276 @@
+#include "core/synth/evolve/evolve_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/compute/parallel.h"
+#include "core/mesh/sampling.h"
+#include "core/sample/sample_table.h"
+#include "core/synth/evolve/breeding.h"
+#include "core/synth/evolve/surface_fitness.h"
+#include "core/synth/verify.h"
+
+namespace hewn {
+namespace {
+
+constexpr std::uint64_t kSampleStream = 0x600000;
+constexpr std::uint64_t kEvolveStream = 0x610000;
+constexpr std::uint64_t kAgreementStream = 0x620000;
+constexpr int kAgreementPoints = 10'000;
+constexpr std::size_t kMostPrimitives = 10'000;  ///< tokens are short
+constexpr int kMostNodes = 255;
+
+struct Creature {
+  Genome genome;
+  double fit = 0;    ///< of the surface, in [0, 1]
+  double score = 0;  ///< less what the nodes cost
+};
+
+class SurfaceEvolution {
+ public:
+  SurfaceEvolution(const SurfaceFitness& fitness, const EvolveOptions& options,
+                   const RunContext& run)
+      : fitness_(fitness),
+        options_(options),
+        run_(run),
+        rng_(run.seed, kEvolveStream),
+        scratch_(static_cast<std::size_t>(worker_count(run.threads))) {
+    const auto n = static_cast<double>(std::max<std::size_t>(2, fitness.samples()));
+    node_cost_ = options.size_penalty * std::log(n) / (2 * n);
+  }
+
+  /// Every combination of one or two primitives.
+  Genome enumerate() {
+    std::vector<Creature> all = {creature({0})};
+    if (fitness_.primitives() == 2) {
+      all.push_back(creature({1}));
+      for (const Token op : {kUnionToken, kIntersectionToken, kDifferenceToken}) {
+        all.push_back(creature({0, 1, op}));
+      }
+      all.push_back(creature({1, 0, kDifferenceToken}));
+    }
+    judge(all);
+    return std::max_element(all.begin(), all.end(), by_score)->genome;
+  }
+
+  Result<Genome> run() {
+    const int largest = std::clamp(2 * fitness_.primitives() - 1, 3, kMostNodes);
+    const Breeder breeder(fitness_.primitives(), std::min(2 * largest, kMostNodes));
+    for (int i = 0; i < options_.population; ++i) {
+      population_.push_back(creature(random_genome(fitness_.primitives(), largest, rng_)));
+    }
+    judge(population_);
+    double best = -kInfinity;
+    int idle = 0;
+    for (int i = 0; i < options_.iterations && idle < options_.most_idle; ++i, ++idle) {
+      if (run_.is_cancelled()) return RunContext::cancelled();
+      if (run_.should_stop()) break;
+      run_.report("evolve", static_cast<double>(i) / options_.iterations);
+      std::stable_sort(population_.begin(), population_.end(),
+                       [](const Creature& a, const Creature& b) { return by_score(b, a); });
+      if (population_[0].score > best + 1e-12) {
+        best = population_[0].score;
+        idle = 0;
+      }
+      if (population_[0].fit >= options_.enough) break;
+      breed(breeder);
+    }
+    return std::max_element(population_.begin(), population_.end(), by_score)->genome;
+  }
+
+  long evaluations() const { return evaluations_; }
+
+ private:
+  static Creature creature(Genome genome) {
+    Creature c;
+    c.genome = std::move(genome);
+    return c;
+  }
+  static bool by_score(const Creature& a, const Creature& b) { return a.score < b.score; }
+
+  void judge(std::span<Creature> creatures) {
+    evaluations_ += static_cast<long>(creatures.size());
+    for_each_with_worker(run_.threads, scratch_.size(), creatures.size(),
+                         [&](std::size_t worker, std::size_t i) {
+                           Creature& c = creatures[i];
+                           c.fit = fitness_.score(c.genome, scratch_[worker]);
+                           c.score = c.fit - node_cost_ * static_cast<double>(c.genome.size());
+                         });
+  }
+
+  void breed(const Breeder& breeder) {
+    const auto elite = std::min<std::ptrdiff_t>(options_.elite, options_.population);
+    std::vector<Creature> next(population_.begin(), population_.begin() + elite);
+    const auto selected = [&]() -> const Genome& {
+      return population_[tournament(population_.size(), options_.tournament, rng_)].genome;
+    };
+    while (next.size() < population_.size()) {
+      Creature child = creature(selected());
+      if (rng_.uniform() < options_.crossover) breeder.cross(child.genome, selected(), rng_);
+      if (rng_.uniform() < options_.mutation) breeder.mutate(child.genome, rng_);
+      next.push_back(std::move(child));
+    }
+    population_ = std::move(next);
+    judge(std::span(population_).subspan(static_cast<std::size_t>(elite)));
+  }
+
+  const SurfaceFitness& fitness_;
+  const EvolveOptions& options_;
+  const RunContext& run_;
+  Rng rng_;
+  std::vector<SurfaceFitness::Scratch> scratch_;
+  double node_cost_ = 0;
+  std::vector<Creature> population_;
+  long evaluations_ = 0;
+};
+
+/// The groups of the partition; all of them when it names none.
+std::vector<char> owned_groups(const TreeProblem& problem) {
+  std::vector<char> owned(problem.segmentation->groups.size(), problem.groups.empty() ? 1 : 0);
+  for (const int g : problem.groups) owned[static_cast<std::size_t>(g)] = 1;
+  return owned;
+}
+
+std::vector<BoundedPrimitive> primitives_of(std::vector<BoundedPrimitive> all,
+                                            const std::vector<char>& owned) {
+  std::erase_if(all, [&](const BoundedPrimitive& p) {
+    return std::none_of(p.groups.begin(), p.groups.end(),
+                        [&](int g) { return owned[static_cast<std::size_t>(g)] != 0; });
+  });
+  return all;
+}
+
+/// Points by area, moved onto the surfaces that were fitted to their groups.
+std::vector<SurfaceSample> sample_surface(const TreeProblem& problem,
+                                          const std::vector<char>& owned, int count, Rng rng) {
+  const Mesh& mesh = problem.query->mesh();
+  std::vector<int> triangles;
+  std::vector<int> group_of(mesh.triangles.size(), -1);
+  for (std::size_t g = 0; g < owned.size(); ++g) {
+    if (owned[g] == 0) continue;
+    for (const int t : problem.segmentation->groups[g].triangles) {
+      group_of[static_cast<std::size_t>(t)] = static_cast<int>(g);
+      triangles.push_back(t);
+    }
+  }
+  const SurfaceSampler sampler(mesh, std::move(triangles));
+  if (sampler.is_empty()) return {};
+  std::vector<SurfaceSample> samples;
+  for (int i = 0; i < count; ++i) {
+    const SurfacePoint drawn = sampler.draw(rng);
+    SurfaceSample s{drawn.position, drawn.normal};
+    const int group = group_of[static_cast<std::size_t>(drawn.triangle)];
+    const int h = problem.surfaces->halfspace_of_group[static_cast<std::size_t>(group)];
+    if (h >= 0) {
+      const Surface& surface = problem.surfaces->halfspaces[static_cast<std::size_t>(h)].surface;
+      s.position -= surface.gradient(s.position) * surface.signed_distance(s.position);
+      const Vec3 normal = surface.gradient(s.position);
+      s.normal = normal.dot(s.normal) < 0 ? Vec3(-normal) : normal;
+    }
+    if (problem.is_subtracted) s.normal = -s.normal;
+    samples.push_back(s);
+  }
+  return samples;
+}
+
+int add_primitive(const BoundedPrimitive& p, Tree& tree) {
+  const int node = tree.add_literal(p.literal);
+  return p.minus ? tree.add_node(Op::Difference, {node, tree.add_literal(*p.minus)}) : node;
+}
+
+Tree tree_of(const Genome& genome, const std::vector<BoundedPrimitive>& primitives) {
+  Tree tree;
+  std::vector<int> stack;
+  for (const Token token : genome) {
+    if (token >= 0) {
+      stack.push_back(add_primitive(primitives[static_cast<std::size_t>(token)], tree));
+      continue;
+    }
+    const int right = stack.back();
+    stack.pop_back();
+    const Op op = token == kUnionToken          ? Op::Union
+                  : token == kIntersectionToken ? Op::Intersection
+                                                : Op::Difference;
+    stack.back() = tree.add_node(op, {stack.back(), right});
+  }
+  tree.root = stack.back();
+  return flattened(tree);
+}
+
+double agreement_of(const TreeProblem& problem, const Tree& tree, const RunContext& run) {
+  Labeller label(*problem.query, *problem.segmentation, problem.groups, problem.is_subtracted);
+  label.ignore(problem.ignored);
+  std::vector<int> triangles;
+  for (const int g : problem.groups) {
+    const auto& own = problem.segmentation->groups[static_cast<std::size_t>(g)].triangles;
+    triangles.insert(triangles.end(), own.begin(), own.end());
+  }
+  SampleSpace space;
+  space.label = &label;
+  space.segmentation = problem.segmentation;
+  space.halfspaces = &problem.surfaces->halfspaces;
+  space.frame = find_frame(problem.query->mesh(), triangles, *problem.surfaces);
+  space.diagonal = problem.query->mesh().diagonal();
+  return measure_agreement(
+      space, [&tree](const Vec3& p) { return tree.contains(p); }, kAgreementPoints,
+      kAgreementStream, run);
+}
+
+constexpr std::array<OptionField<EvolveOptions>, 12> kOptions{{
+    {"samples", &EvolveOptions::samples, 100, 1'000'000, "points of the surface"},
+    {"population", &EvolveOptions::population, 2, 100'000, "trees of a generation"},
+    {"mutation", &EvolveOptions::mutation, 0, 1, "share of the trees that are changed at random"},
+    {"crossover", &EvolveOptions::crossover, 0, 1, "share of the trees with two parents"},
+    {"tournament", &EvolveOptions::tournament, 1, 100, "trees of which the best is a parent"},
+    {"elite", &EvolveOptions::elite, 0, 1000, "trees that pass on unchanged"},
+    {"iterations", &EvolveOptions::iterations, 0, 1'000'000, "generations at most"},
+    {"most-idle", &EvolveOptions::most_idle, 1, 1'000'000, "generations without a better tree"},
+    {"enough", &EvolveOptions::enough, 0, 1, "score of a surface at which the search ends"},
+    {"distance", &EvolveOptions::distance, 1e-6, 0.1,
+     "share of the diagonal at which a point counts for 1 / e"},
+    {"angle", &EvolveOptions::angle_deg, 0.1, 90, "degrees at which a normal counts for 1 / e"},
+    {"size-penalty", &EvolveOptions::size_penalty, 0, 1000,
+     "what a node costs, in units of log(samples) / (2 samples)"},
+}};
+
+}  // namespace
+
+template <>
+std::span<const OptionField<EvolveOptions>> option_table<EvolveOptions>() {
+  return kOptions;
+}
+
+Result<TreeAnswer> evolve_tree(const TreeProblem& problem, const EvolveOptions& options,
+                               const RunContext& run) {
+  auto built = build_bounded_primitives(problem.query->mesh(), *problem.segmentation,
+                                        *problem.surfaces, {}, run);
+  if (!built) return built.error();
+  const std::vector<char> owned = owned_groups(problem);
+  const std::vector<BoundedPrimitive> primitives = primitives_of(std::move(*built), owned);
+  if (primitives.empty() || primitives.size() > kMostPrimitives) {
+    return Error{ErrorCode::NotFound,
+                 primitives.empty() ? "no bounded primitive fits the face groups; search with list"
+                                    : "too many primitives to evolve; search with list"};
+  }
+  const std::vector<SurfaceSample> samples =
+      sample_surface(problem, owned, options.samples, Rng(run.seed, kSampleStream));
+  const double degree = kPi / 180;
+  const SurfaceReach reach{options.distance * problem.query->mesh().diagonal(),
+                           options.angle_deg * degree};
+  const SurfaceFitness fitness(primitives, samples, reach, run);
+  SurfaceEvolution evolution(fitness, options, run);
+  const bool are_few = primitives.size() <= 2;
+  const Result<Genome> best = are_few ? Result<Genome>(evolution.enumerate()) : evolution.run();
+  if (!best) return best.error();
+  TreeAnswer answer;
+  answer.tree = tree_of(*best, primitives);
+  answer.halfspaces = static_cast<int>(problem.surfaces->halfspaces.size());
+  answer.evaluations = evolution.evaluations();
+  answer.agreement = agreement_of(problem, answer.tree, run);
+  if (run.is_cancelled()) return RunContext::cancelled();
+  return answer;
+}
+
+}  // namespace hewn
