@@ -1,33 +1,31 @@
 #include "core/session/settings.h"
 
-#include <array>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace hewn {
 namespace {
 
-constexpr std::array<OptionField<MeshLoadOptions>, 2> kLoadOptions{{
+constexpr OptionField<MeshLoadOptions> kLoadOptions[] = {
     {"weld-tolerance", &MeshLoadOptions::weld_tolerance, 0, 0.01,
      "vertices closer than this share of the bounding box's diagonal become one"},
     {"max-triangles", &MeshLoadOptions::max_triangles, 1, 100'000'000, "larger meshes are refused"},
-}};
+};
 
-constexpr std::array<OptionField<DeviceOptions>, 2> kDeviceOptions{{
+constexpr OptionField<DeviceOptions> kDeviceOptions[] = {
     {"kind", &DeviceOptions::kind, 0, 2,
      "auto: a GPU for jobs that are large enough; cpu: never one; cuda: a GPU for every job that "
      "it can do",
      "auto,cpu,cuda"},
     {"index", &DeviceOptions::index, 0, 255, "which of several GPUs, as the driver numbers them"},
-}};
+};
 
-constexpr std::array<OptionField<VerifySettings>, 2> kVerifyOptions{{
+constexpr OptionField<VerifySettings> kVerifyOptions[] = {
     {"volume-points", &VerifySettings::volume_points, 1000, 10'000'000,
      "random points that measure agreement and intersection over union"},
     {"surface-points", &VerifySettings::surface_points, 100, 10'000'000,
      "random surface points, each way, that measure distances"},
-}};
+};
 
 }  // namespace
 

@@ -291,7 +291,7 @@ class TreeSearch {
   TreeAnswer answer_;
 };
 
-constexpr std::array<OptionField<TreeSearchOptions>, 8> kOptions{{
+constexpr OptionField<TreeSearchOptions> kOptions[] = {
     {"search", &TreeSearchOptions::search, 0, 1,
      "list: a decision list; evolve: the published genetic search over bounded primitives, to "
      "compare with",
@@ -305,7 +305,9 @@ constexpr std::array<OptionField<TreeSearchOptions>, 8> kOptions{{
     {"regrow-tries", &TreeSearchOptions::regrow_tries, 1, 1000,
      "terms tried for each gap that the neighbourhood search cuts"},
     {"rounds", &TreeSearchOptions::rounds, 0, 32, "counterexample rounds at most"},
-}};
+    {"stray-rounds", &TreeSearchOptions::stray_rounds, 0, 32,
+     "more such rounds while points far from the mesh are wrong"},
+};
 
 }  // namespace
 

@@ -1,7 +1,6 @@
 #include "core/synth/evolve/evolve_tree.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -218,7 +217,7 @@ double agreement_of(const TreeProblem& problem, const Tree& tree, const RunConte
       kAgreementStream, run);
 }
 
-constexpr std::array<OptionField<EvolveOptions>, 12> kOptions{{
+constexpr OptionField<EvolveOptions> kOptions[] = {
     {"samples", &EvolveOptions::samples, 100, 1'000'000, "points of the surface"},
     {"population", &EvolveOptions::population, 2, 100'000, "trees of a generation"},
     {"mutation", &EvolveOptions::mutation, 0, 1, "share of the trees that are changed at random"},
@@ -233,7 +232,7 @@ constexpr std::array<OptionField<EvolveOptions>, 12> kOptions{{
     {"angle", &EvolveOptions::angle_deg, 0.1, 90, "degrees at which a normal counts for 1 / e"},
     {"size-penalty", &EvolveOptions::size_penalty, 0, 1000,
      "what a node costs, in units of log(samples) / (2 samples)"},
-}};
+};
 
 }  // namespace
 

@@ -12,13 +12,13 @@ struct EvolveOptions {
   double mutation = 0.3;
   double crossover = 0.3;
   int tournament = 2;
-  int elite = 15;            ///< creatures that pass on unchanged
-  int iterations = 1000;     ///< generations at most
-  int most_idle = 200;       ///< generations without a better tree
-  double enough = 0.999;     ///< score of a surface that fits, at which the search ends
-  double distance = 0.01;    ///< share of the diagonal at which a point's score falls to 1 / e
-  double angle_deg = 10;     ///< the same for its normal
-  double size_penalty = 0.3;   ///< of a node, in units of log(samples) / (2 samples)
+  int elite = 15;             ///< creatures that pass on unchanged
+  int iterations = 1000;      ///< generations at most
+  int most_idle = 200;        ///< generations without a better tree
+  double enough = 0.999;      ///< score of a surface that fits, at which the search ends
+  double distance = 0.01;     ///< share of the diagonal at which a point's score falls to 1 / e
+  double angle_deg = 10;      ///< the same for its normal
+  double size_penalty = 0.3;  ///< of a node, in units of log(samples) / (2 samples)
 };
 
 template <>

@@ -52,8 +52,8 @@ class SurfaceFitness {
 
   std::size_t primitives_, samples_;
   double reach_;
-  std::vector<float> distances_;    ///< by primitive, then by sample
-  std::vector<float> angle_score_;  ///< of the primitive's own normal
+  std::vector<float> distances_;     ///< by primitive, then by sample
+  std::vector<float> angle_score_;   ///< of the primitive's own normal
   std::vector<float> turned_score_;  ///< of the opposite normal
 };
 
