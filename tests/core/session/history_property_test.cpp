@@ -166,7 +166,11 @@ void run_sequence(const std::filesystem::path& mesh, std::uint64_t seed, int len
 TEST_CASE("undoing all gives the initial plan, replaying gives the last one, byte for byte") {
   const SessionFolder folder("property");
   const auto mesh = folder.plate();
+#ifdef HEWN_SANITIZED
+  constexpr int kSequences = 40;  // instrumented code is some ten times slower
+#else
   constexpr int kSequences = 200;
+#endif
   constexpr int kLength = 200;
   Tally tally;
   for (int i = 0; i < kSequences; ++i) run_sequence(mesh, 1000 + i, kLength, tally);
