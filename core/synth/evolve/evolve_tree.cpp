@@ -18,7 +18,7 @@ constexpr std::uint64_t kSampleStream = 0x600000;
 constexpr std::uint64_t kEvolveStream = 0x610000;
 constexpr std::uint64_t kAgreementStream = 0x620000;
 constexpr int kAgreementPoints = 10'000;
-constexpr std::size_t kMostPrimitives = 10'000;  ///< tokens are short
+constexpr std::size_t kMostPrimitives = 2000;  ///< more are hopeless
 constexpr int kMostNodes = 255;
 
 struct Creature {
