@@ -1,5 +1,6 @@
 #include "core/synth/optimise.h"
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 
@@ -67,6 +68,18 @@ Json equivalence_json(const OptimiseResult& result) {
           {"smallest_octree_cell", e.smallest_cell}};
 }
 
+/// What the tolerance let go, thickest first.
+Json thin_features_json(const OptimiseResult& result) {
+  Json features = Json::array();
+  for (const ThinFeature& f : result.thin_features) {
+    features.push_back({{"change", f.is_filled ? "filled" : "removed"},
+                        {"at", {f.at.x(), f.at.y(), f.at.z()}},
+                        {"thickness", f.thickness},
+                        {"cells", f.cells}});
+  }
+  return features;
+}
+
 Json report_json(const OptimiseFlags& flags, const OptimiseResult& result, std::uint64_t seed) {
   Json redundancy = {{"empty", result.redundancy.empty},
                      {"universal", result.redundancy.universal},
@@ -95,6 +108,7 @@ Json report_json(const OptimiseFlags& flags, const OptimiseResult& result, std::
           {"redundancy", std::move(redundancy)},
           {"remaining_literals", result.remaining_literals},
           {"equivalence", equivalence_json(result)},
+          {"thin_features", thin_features_json(result)},
           {"seconds", std::move(seconds)}};
 }
 
@@ -131,6 +145,18 @@ Result<void> publish(const OptimiseFlags& flags, const OptimiseResult& result,
   return write_file(flags.report, report_json(flags, result, environment.run.seed).dump(2) + "\n");
 }
 
+void print_thin_features(const std::vector<ThinFeature>& features) {
+  const auto filled = std::count_if(features.begin(), features.end(),
+                                    [](const ThinFeature& f) { return f.is_filled; });
+  fmt::print("thin features: {} removed, {} filled", features.size() - filled, filled);
+  if (!features.empty()) {
+    const ThinFeature& f = features.front();
+    fmt::print("; the thickest, {:.4g}, at ({:.6g}, {:.6g}, {:.6g})", f.thickness, f.at.x(),
+               f.at.y(), f.at.z());
+  }
+  fmt::print("\n");
+}
+
 void print_summary(const OptimiseFlags& flags, const OptimiseResult& result) {
   double seconds = 0;
   for (const StageSeconds& s : result.seconds) seconds += s.seconds;
@@ -144,8 +170,7 @@ void print_summary(const OptimiseFlags& flags, const OptimiseResult& result) {
       result.before.proximity, result.after.proximity, result.cells - result.changed_cells,
       result.equivalence.points - result.equivalence.tolerated, seconds, flags.output);
   if (flags.tolerance > 0) {
-    fmt::print("{} cells thinner than {:g} of the diagonal changed\n", result.changed_cells,
-               flags.tolerance);
+    print_thin_features(result.thin_features);
   }
 }
 

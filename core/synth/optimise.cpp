@@ -446,7 +446,10 @@ class Optimiser {
     evaluate(wanted, cells);
     Formula value = found;
     evaluate(value, cells);
-    out_.changed_cells = count_differences(wanted.value, value.value, cells.all());
+    Column changed = cells.all();
+    for (std::size_t w = 0; w < changed.size(); ++w) changed[w] &= wanted.value[w] ^ value.value[w];
+    out_.thin_features = thin_features(input_, sampler_.arrangement(), wanted.value, changed);
+    for (const ThinFeature& f : out_.thin_features) out_.changed_cells += f.cells;
     for (const CellDepth& d : depths_) out_.tolerated_cells += d.is_thin ? 1 : 0;
     if (options_.wants_front && !found.is_constant()) {
       if (auto done = find_front(found, cells); !done) return done.error();

@@ -11,6 +11,7 @@
 #include "core/sample/equivalence.h"
 #include "core/synth/remaining_solid.h"
 #include "core/synth/simplify/redundancy.h"
+#include "core/synth/thin_features.h"
 
 namespace hewn {
 
@@ -76,10 +77,11 @@ struct OptimiseResult {
   Tree tree;
   SolidExtent extent = SolidExtent::Bounded;
   TreeFigures before, after;
-  std::size_t cells = 0;            ///< different ones that were compared
-  std::size_t tolerated_cells = 0;  ///< of them, thin ones that were free to change
-  std::size_t changed_cells = 0;    ///< of them, those that did
-  double resolution = 0;            ///< cells thinner than this are not told apart; model units
+  std::size_t cells = 0;                   ///< different ones that were compared
+  std::size_t tolerated_cells = 0;         ///< of them, thin ones that were free to change
+  std::size_t changed_cells = 0;           ///< of them, those that did
+  std::vector<ThinFeature> thin_features;  ///< what those are
+  double resolution = 0;  ///< cells thinner than this are not told apart; model units
   int rounds = 0;
   bool is_input = false;  ///< nothing smaller could be proved: the input itself
   RedundancyCounts redundancy;

@@ -137,6 +137,13 @@ TEST_CASE("a tolerance lets thin features go and says how many, thick ones stay"
   const OptimiseResult result = optimised(tree, options);
   CHECK(result.after.literals == 2);
   CHECK(result.changed_cells == 1);
+  REQUIRE(result.thin_features.size() == 1);
+  // The plate went, or all of the block's top is as high as it.
+  const ThinFeature& f = result.thin_features[0];
+  CHECK(f.thickness < 0.0031);
+  CHECK(f.at.z() > 2);
+  CHECK(f.at.z() < 2.003);
+  CHECK(f.is_filled == result.tree.contains(f.at));
   CHECK(result.tree.contains(Vec3(0.3, 0.3, 2.05)));
   CHECK(result.equivalence.different == 0);
   CHECK(result.equivalence.largest_distance <= 0.002 * 3.5);
