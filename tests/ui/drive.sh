@@ -23,7 +23,7 @@ refuses() {
 if [ -z "${HEWN_UI_INSIDE:-}" ]; then
   refuses "no display" env -u DISPLAY -u WAYLAND_DISPLAY "$studio"
   export HEWN_UI_INSIDE=1
-  exec xvfb-run -a -s "-screen 0 1280x800x24" "$0" "$@"
+  exec xvfb-run -a -s "-screen 0 1280x800x24 -noreset" "$0" "$@"
 fi
 
 refuses "OpenGL 4.3 is needed" env MESA_GL_VERSION_OVERRIDE=3.3 "$studio"

@@ -4,13 +4,14 @@
 
 export LIBGL_ALWAYS_SOFTWARE=1
 
-# Starts the script again with a screen of its own.
+# Starts the script again with a screen of its own. Without a reset, which a server does when the last
+# window has gone: it would refuse the next one meanwhile.
 with_screen() {
   local size=$1
   shift
   if [ -z "${HEWN_UI_INSIDE:-}" ]; then
     export HEWN_UI_INSIDE=1
-    exec xvfb-run -a -s "-screen 0 ${size}x24" "$0" "$@"
+    exec xvfb-run -a -s "-screen 0 ${size}x24 -noreset" "$0" "$@"
   fi
 }
 fail() {
