@@ -45,17 +45,22 @@ std::vector<int> LiteralSet::add(const Tree& tree) {
   return index;
 }
 
-double scale_of(const Tree& tree) {
-  const double diagonal = tree.bounds().diagonal();
-  if (std::isfinite(diagonal) && diagonal > 0) return diagonal;
-  Box3 box;
-  for (const Literal& s : tree.literals) {
-    const Box3 b = s.bounds();
-    if (b.is_empty()) continue;
-    box.extend(b.lo);
-    box.extend(b.hi);
+Box3 bounds_of_literals(const Tree& tree) {
+  Box3 all;
+  for (const Literal& literal : tree.literals) {
+    const Box3 box = literal.bounds();
+    if (box.is_empty()) continue;
+    all.extend(box.lo);
+    all.extend(box.hi);
   }
-  return box.diagonal() > 0 ? box.diagonal() : 1;
+  return all;
+}
+
+double scale_of(const Tree& tree) {
+  double diagonal = tree.bounds().diagonal();
+  if (std::isfinite(diagonal) && diagonal > 0) return diagonal;
+  diagonal = bounds_of_literals(tree).diagonal();
+  return diagonal > 0 ? diagonal : 1;
 }
 
 }  // namespace hewn

@@ -20,6 +20,9 @@ class LiteralSet {
   std::vector<Literal> literals_;
 };
 
+/// The box of all literals together, whatever the tree makes of them.
+Box3 bounds_of_literals(const Tree& tree);
+
 /// The diagonal of the tree's box; of its literals' boxes together where the tree is unbounded.
 double scale_of(const Tree& tree);
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/csg/literal_set.h"
 #include "core/csg/tree.h"
 
 namespace hewn {
@@ -159,13 +160,7 @@ class ComplementRemover {
   }
 
   int cut_from_box(int tool) {
-    Box3 all;
-    for (const Literal& literal : source_.literals) {
-      const Box3 box = literal.bounds();
-      if (box.is_empty()) continue;
-      all.extend(box.lo);
-      all.extend(box.hi);
-    }
+    const Box3 all = bounds_of_literals(source_);
     if (all.is_empty()) return kNothing;
     Literal box;
     box.size = all.size() * 3;

@@ -151,10 +151,8 @@ class PrismFinder {
   /// At the corners, where a turned side is off most.
   bool is_within_tolerances(const RegularPrism& prism) const {
     const double half_side = prism.radius * std::tan(kPi / prism.count());
-    const Vec3 w = prism.axis.cross(prism.normal);
     for (int k = 0; k < prism.count(); ++k) {
-      const double angle = 2 * kPi * k / prism.count();
-      const Vec3 normal = prism.normal * std::cos(angle) + w * std::sin(angle);
+      const Vec3 normal = prism.side_normal(k);
       const Vec3 along = prism.axis.cross(normal);
       const Halfspace& plane = surfaces_.halfspaces[prism.sides[k].halfspace];
       for (const double end : {-half_side, half_side}) {
@@ -181,11 +179,6 @@ class PrismFinder {
   long trials_ = 0;
 };
 
-Vec3 side_normal(const RegularPrism& prism, int k) {
-  const double angle = 2 * kPi * k / prism.count();
-  return prism.normal * std::cos(angle) + prism.axis.cross(prism.normal) * std::sin(angle);
-}
-
 /// Of a side's plane, along its outward normal.
 double offset_of(const SurfaceSet& surfaces, const HalfspaceSide& side) {
   const double offset = surfaces.halfspaces[side.halfspace].surface.offset;
@@ -195,7 +188,7 @@ double offset_of(const SurfaceSet& surfaces, const HalfspaceSide& side) {
 double largest_misfit(const RegularPrism& prism, const SurfaceSet& surfaces) {
   double largest = 0;
   for (int k = 0; k < prism.count(); ++k) {
-    const double ideal = side_normal(prism, k).dot(prism.center) + prism.radius;
+    const double ideal = prism.side_normal(k).dot(prism.center) + prism.radius;
     largest = std::max(largest, std::abs(offset_of(surfaces, prism.sides[k]) - ideal));
   }
   return largest;
@@ -210,7 +203,7 @@ void fit_sides(RegularPrism& prism, const SurfaceSet& surfaces) {
   for (int k = 0; k < prism.count(); ++k) {
     const double offset = offset_of(surfaces, prism.sides[k]);
     radius += offset / n;
-    center += side_normal(prism, k) * (offset * 2 / n);
+    center += prism.side_normal(k) * (offset * 2 / n);
   }
   prism.radius = radius;
   prism.center = center;
@@ -225,6 +218,11 @@ void round_sides(RegularPrism& prism, double tolerance) {
 }
 
 }  // namespace
+
+Vec3 RegularPrism::side_normal(int k) const {
+  const double angle = 2 * kPi * k / count();
+  return normal * std::cos(angle) + axis.cross(normal) * std::sin(angle);
+}
 
 std::vector<int> settle_regular_prisms(SurfaceSet& surfaces, double diagonal, bool round_values) {
   std::set<int> moved;

@@ -16,6 +16,8 @@ struct RegularPrism {
   double radius = 0;                 ///< of the inscribed circle
 
   int count() const { return static_cast<int>(sides.size()); }
+  /// Unit, outward, of side `k` of the ideal prism.
+  Vec3 side_normal(int k) const;
 };
 
 /// All regular prisms of 5 to 12 sides among the planes, those of more sides first. Four sides are

@@ -57,10 +57,7 @@ bool append_tokens(const Term& t, Genome& out) {
   for (const Term& child : t.children) {
     if (!append_tokens(child, out)) return false;
   }
-  out.push_back(t.op == Op::Complement     ? kComplementToken
-                : t.op == Op::Union        ? kUnionToken
-                : t.op == Op::Intersection ? kIntersectionToken
-                                           : kDifferenceToken);
+  out.push_back(token_of(t.op));
   return true;
 }
 
@@ -79,10 +76,7 @@ Term term_of(const Genome& genome) {
       stack.push_back(complement(std::move(last)));
       continue;
     }
-    const Op op = token == kUnionToken          ? Op::Union
-                  : token == kIntersectionToken ? Op::Intersection
-                                                : Op::Difference;
-    stack.back() = operation(op, std::move(stack.back()), std::move(last));
+    stack.back() = operation(op_of(token), std::move(stack.back()), std::move(last));
   }
   return std::move(stack.back());
 }

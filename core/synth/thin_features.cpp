@@ -20,7 +20,9 @@ class DisjointSets {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  void join(std::size_t a, std::size_t b) { parent_[std::max(find(a), find(b))] = find(std::min(a, b)); }
+  void join(std::size_t a, std::size_t b) {
+    parent_[std::max(find(a), find(b))] = find(std::min(a, b));
+  }
 
  private:
   std::vector<std::size_t> parent_;

@@ -49,9 +49,9 @@ void Breeder::mutate(Genome& genome, Rng& rng) const {
   }
 }
 
-std::size_t tournament(std::size_t creatures, int rounds, Rng& rng) {
+std::size_t Breeder::tournament(std::size_t creatures, Rng& rng) const {
   std::size_t best = rng.below(creatures);
-  for (int i = 1; i < rounds; ++i) {
+  for (int i = 1; i < rates_.tournament; ++i) {
     const std::size_t other = rng.below(creatures);
     best = std::min(best, other);
   }

@@ -56,7 +56,8 @@ class SurfaceEvolution {
 
   Result<Genome> run() {
     const int largest = std::clamp(2 * fitness_.primitives() - 1, 3, kMostNodes);
-    const Breeder breeder(fitness_.primitives(), std::min(2 * largest, kMostNodes));
+    const Breeder breeder(fitness_.primitives(), std::min(2 * largest, kMostNodes),
+                          {options_.mutation, options_.crossover, options_.tournament});
     for (int i = 0; i < options_.population; ++i) {
       population_.push_back(creature(random_genome(fitness_.primitives(), largest, rng_)));
     }
@@ -102,14 +103,8 @@ class SurfaceEvolution {
   void breed(const Breeder& breeder) {
     const auto elite = std::min<std::ptrdiff_t>(options_.elite, options_.population);
     std::vector<Creature> next(population_.begin(), population_.begin() + elite);
-    const auto selected = [&]() -> const Genome& {
-      return population_[tournament(population_.size(), options_.tournament, rng_)].genome;
-    };
     while (next.size() < population_.size()) {
-      Creature child = creature(selected());
-      if (rng_.uniform() < options_.crossover) breeder.cross(child.genome, selected(), rng_);
-      if (rng_.uniform() < options_.mutation) breeder.mutate(child.genome, rng_);
-      next.push_back(std::move(child));
+      next.push_back(creature(breeder.child_of(population_, rng_)));
     }
     population_ = std::move(next);
     judge(std::span(population_).subspan(static_cast<std::size_t>(elite)));
@@ -125,31 +120,25 @@ class SurfaceEvolution {
   long evaluations_ = 0;
 };
 
-/// The groups of the partition; all of them when it names none.
-std::vector<char> owned_groups(const TreeProblem& problem) {
-  std::vector<char> owned(problem.segmentation->groups.size(), problem.groups.empty() ? 1 : 0);
-  for (const int g : problem.groups) owned[static_cast<std::size_t>(g)] = 1;
-  return owned;
-}
-
 std::vector<BoundedPrimitive> primitives_of(std::vector<BoundedPrimitive> all,
-                                            const std::vector<char>& owned) {
+                                            const Labeller& label) {
   std::erase_if(all, [&](const BoundedPrimitive& p) {
     return std::none_of(p.groups.begin(), p.groups.end(),
-                        [&](int g) { return owned[static_cast<std::size_t>(g)] != 0; });
+                        [&](int g) { return label.owns_group(g); });
   });
   return all;
 }
 
 /// Points by area, moved onto the surfaces that were fitted to their groups.
-std::vector<SurfaceSample> sample_surface(const TreeProblem& problem,
-                                          const std::vector<char>& owned, int count, Rng rng) {
+std::vector<SurfaceSample> sample_surface(const TreeProblem& problem, const Labeller& label,
+                                          int count, Rng rng) {
   const Mesh& mesh = problem.query->mesh();
   std::vector<int> triangles;
   std::vector<int> group_of(mesh.triangles.size(), -1);
-  for (std::size_t g = 0; g < owned.size(); ++g) {
-    if (owned[g] == 0) continue;
-    for (const int t : problem.segmentation->groups[g].triangles) {
+  const auto& groups = problem.segmentation->groups;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (!label.owns_group(static_cast<int>(g))) continue;
+    for (const int t : groups[g].triangles) {
       group_of[static_cast<std::size_t>(t)] = static_cast<int>(g);
       triangles.push_back(t);
     }
@@ -189,18 +178,14 @@ Tree tree_of(const Genome& genome, const std::vector<BoundedPrimitive>& primitiv
     }
     const int right = stack.back();
     stack.pop_back();
-    const Op op = token == kUnionToken          ? Op::Union
-                  : token == kIntersectionToken ? Op::Intersection
-                                                : Op::Difference;
-    stack.back() = tree.add_node(op, {stack.back(), right});
+    stack.back() = tree.add_node(op_of(token), {stack.back(), right});
   }
   tree.root = stack.back();
   return flattened(tree);
 }
 
-double agreement_of(const TreeProblem& problem, const Tree& tree, const RunContext& run) {
-  Labeller label(*problem.query, *problem.segmentation, problem.groups, problem.is_subtracted);
-  label.ignore(problem.ignored);
+double agreement_of(const TreeProblem& problem, const Labeller& label, const Tree& tree,
+                    const RunContext& run) {
   std::vector<int> triangles;
   for (const int g : problem.groups) {
     const auto& own = problem.segmentation->groups[static_cast<std::size_t>(g)].triangles;
@@ -246,15 +231,16 @@ Result<TreeAnswer> evolve_tree(const TreeProblem& problem, const EvolveOptions& 
   auto built = build_bounded_primitives(problem.query->mesh(), *problem.segmentation,
                                         *problem.surfaces, {}, run);
   if (!built) return built.error();
-  const std::vector<char> owned = owned_groups(problem);
-  const std::vector<BoundedPrimitive> primitives = primitives_of(std::move(*built), owned);
+  Labeller label(*problem.query, *problem.segmentation, problem.groups, problem.is_subtracted);
+  label.ignore(problem.ignored);
+  const std::vector<BoundedPrimitive> primitives = primitives_of(std::move(*built), label);
   if (primitives.empty() || primitives.size() > kMostPrimitives) {
     return Error{ErrorCode::NotFound,
                  primitives.empty() ? "no bounded primitive fits the face groups; search with list"
                                     : "too many primitives to evolve; search with list"};
   }
   const std::vector<SurfaceSample> samples =
-      sample_surface(problem, owned, options.samples, Rng(run.seed, kSampleStream));
+      sample_surface(problem, label, options.samples, Rng(run.seed, kSampleStream));
   const double degree = kPi / 180;
   const SurfaceReach reach{options.distance * problem.query->mesh().diagonal(),
                            options.angle_deg * degree};
@@ -267,7 +253,7 @@ Result<TreeAnswer> evolve_tree(const TreeProblem& problem, const EvolveOptions& 
   answer.tree = tree_of(*best, primitives);
   answer.halfspaces = static_cast<int>(problem.surfaces->halfspaces.size());
   answer.evaluations = evolution.evaluations();
-  answer.agreement = agreement_of(problem, answer.tree, run);
+  answer.agreement = agreement_of(problem, label, answer.tree, run);
   if (run.is_cancelled()) return RunContext::cancelled();
   return answer;
 }

@@ -54,7 +54,8 @@ class Evolution {
     for (const Genome& start : starts_) largest = std::max(largest, start.size());
     const int most_nodes =
         std::max(3, static_cast<int>(options_.largest * static_cast<double>(largest)));
-    breeder_.emplace(table_.literals(), most_nodes);
+    breeder_.emplace(table_.literals(), most_nodes,
+                     BreedingRates{options_.mutation, options_.crossover, options_.tournament});
     for (int i = 0; i < options_.population; ++i) {
       Creature c;
       const auto copy = static_cast<std::size_t>(i / 2) % starts_.size();
@@ -129,15 +130,9 @@ class Evolution {
         population_.begin() + std::min<std::ptrdiff_t>(
                                   options_.elite, static_cast<std::ptrdiff_t>(population_.size())));
     const std::size_t kept = next.size();
-    // The population is sorted: the smaller index wins.
-    const auto selected = [&]() -> const Genome& {
-      return population_[tournament(population_.size(), options_.tournament, rng_)].genome;
-    };
     while (next.size() < population_.size()) {
       Creature child;
-      child.genome = selected();
-      if (rng_.uniform() < options_.crossover) breeder_->cross(child.genome, selected(), rng_);
-      if (rng_.uniform() < options_.mutation) breeder_->mutate(child.genome, rng_);
+      child.genome = breeder_->child_of(population_, rng_);
       next.push_back(std::move(child));
     }
     population_ = std::move(next);

@@ -44,6 +44,32 @@ void append_random(int literals, int nodes, Rng& rng, Genome& out) {
 
 }  // namespace
 
+Op op_of(Token operation) {
+  switch (operation) {
+    case kUnionToken:
+      return Op::Union;
+    case kIntersectionToken:
+      return Op::Intersection;
+    case kComplementToken:
+      return Op::Complement;
+    default:
+      return Op::Difference;
+  }
+}
+
+Token token_of(Op op) {
+  switch (op) {
+    case Op::Union:
+      return kUnionToken;
+    case Op::Intersection:
+      return kIntersectionToken;
+    case Op::Complement:
+      return kComplementToken;
+    default:
+      return kDifferenceToken;
+  }
+}
+
 std::size_t subtree_begin(const Genome& genome, std::size_t last) {
   int open = 1;
   std::size_t at = last;

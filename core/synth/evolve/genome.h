@@ -11,6 +11,10 @@ namespace hewn {
 /// A tree in postfix order; its number of tokens is its number of nodes `#|T|`.
 using Genome = std::vector<Token>;
 
+/// The operation that a token below 0 stands for, and back.
+Op op_of(Token operation);
+Token token_of(Op op);
+
 /// Where the subtree ends with the token at `last` begins. Cost: O(its size).
 std::size_t subtree_begin(const Genome& genome, std::size_t last);
 
