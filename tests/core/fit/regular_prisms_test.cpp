@@ -4,8 +4,7 @@
 
 #include "core/base/rng.h"
 #include "core/csg/prism.h"
-#include "core/segment/segment.h"
-#include "tests/support/solids.h"
+#include "tests/support/part_problem.h"
 
 namespace hewn {
 namespace {
@@ -25,13 +24,7 @@ SurfaceSet sides_of(int sides, double radius, double noise) {
     p = prism.to_world(p);
     for (double& c : p) c += noise * rng.uniform(-1, 1);
   }
-  mesh = make_mesh(mesh.vertices, mesh.triangles);
-  const RunContext run;
-  const Result<Segmentation> groups = segment(mesh, {}, run);
-  REQUIRE(groups.has_value());
-  Result<SurfaceSet> surfaces = regularise(mesh, *groups, {}, run);
-  REQUIRE(surfaces.has_value());
-  return std::move(*surfaces);
+  return solids::PartProblem(make_mesh(mesh.vertices, mesh.triangles)).surfaces;
 }
 
 TEST_CASE("the sides of a turned, noisy prism are flush with the ideal one") {

@@ -17,14 +17,18 @@ BoundedPrimitive block(const Vec3& origin, const Vec3& size) {
   return p;
 }
 
-TreeAnswer evolved(const solids::PartProblem& part, std::uint64_t seed = 1) {
+Result<TreeAnswer> evolve(const solids::PartProblem& part, const RunContext& run) {
   TreeProblem problem;
   problem.query = &part.query;
   problem.segmentation = &part.segmentation;
   problem.surfaces = &part.surfaces;
+  return evolve_tree(problem, {}, run);
+}
+
+TreeAnswer evolved(const solids::PartProblem& part, std::uint64_t seed = 1) {
   RunContext run = part.run;
   run.seed = seed;
-  auto answer = evolve_tree(problem, {}, run);
+  auto answer = evolve(part, run);
   REQUIRE(answer.has_value());
   return *answer;
 }
@@ -84,13 +88,9 @@ TEST_CASE("a seed gives the same tree for any number of threads") {
 
 TEST_CASE("an evolution stops on request") {
   const solids::PartProblem part(solids::block_with_fillet({6, 5, 4}, 1.5, 12));
-  TreeProblem problem;
-  problem.query = &part.query;
-  problem.segmentation = &part.segmentation;
-  problem.surfaces = &part.surfaces;
   RunContext run;
   run.cancel->cancel();
-  const auto stopped = evolve_tree(problem, {}, run);
+  const auto stopped = evolve(part, run);
   REQUIRE_FALSE(stopped.has_value());
   CHECK(stopped.error().code == ErrorCode::Cancelled);
 }
