@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/csg/flat_end.h"
+#include "core/csg/prism.h"
 
 namespace hewn {
 namespace {
@@ -36,10 +37,60 @@ Mat3 main_frame(const std::vector<Literal>& literals) {
   return best;
 }
 
+/// A flat end, or a side of a prism, which cannot move without the others.
 struct Face {
   int node = 0;  ///< of the literal
   FlatEnd end;
+  int side = -1;  ///< from this corner of a prism to the next; -1: the end
+
+  bool is_turned = false;  ///< not along the main axes
+
+  bool is_side() const { return side >= 0; }
+  /// The corners of a prism are rounded wherever it lies.
+  bool is_rounded() const { return is_turned || is_side(); }
 };
+
+Vec3 side_normal(const Literal& prism, int side) {
+  const Vec2 normal = prism_side_normal(prism, side);
+  return prism.rotation * Vec3(normal.x(), normal.y(), 0);
+}
+
+Vec3 normal_of(const Literal& literal, const Face& face) {
+  return face.is_side() ? side_normal(literal, face.side) : outward_normal(literal, face.end);
+}
+
+double offset_of(const Literal& literal, const Face& face) {
+  if (!face.is_side()) return plane_offset(literal, face.end);
+  return normal_of(literal, face).dot(literal.rotation * literal.origin) + literal.radius;
+}
+
+/// The point at `s` and `t` of [0, 1] across the smallest rectangle around the face, in space.
+Vec3 point_across(const Literal& literal, const Face& face, double s, double t) {
+  Vec3 p;
+  if (face.is_side()) {
+    const Vec2 from = prism_corner(literal, face.side);
+    const Vec2 to = prism_corner(literal, face.side + 1);
+    p << from + (to - from) * s, literal.height * t;
+  } else {
+    const LocalBox plane = beyond_end(literal, face.end, 0, 0);
+    const int u = (face.end.axis + 1) % 3;
+    const int v = (face.end.axis + 2) % 3;
+    p = plane.lo;
+    p[u] += plane.size()[u] * s;
+    p[v] += plane.size()[v] * t;
+  }
+  return literal.to_world(p);
+}
+
+/// Whether a point on the face's plane lies on the face.
+bool is_on(const Literal& literal, const Face& face, const Vec3& point) {
+  const Vec3 p = literal.to_local(point);
+  if (!face.is_side()) return is_over_end(literal, face.end, p, 0);
+  const Vec2 from = prism_corner(literal, face.side);
+  const Vec2 to = prism_corner(literal, face.side + 1);
+  const double along = (p.head<2>() - from).dot(to - from) / (to - from).squaredNorm();
+  return along >= 0 && along <= 1 && p.z() >= 0 && p.z() <= literal.height;
+}
 
 /// The operation that joins two leaves, and which of them it takes away.
 struct Meeting {
@@ -67,14 +118,14 @@ class Separation {
  private:
   Literal& literal_of(const Face& f) { return tree_.literals[tree_.nodes[f.node].literal]; }
 
-  /// The turned faces below a node, and everyone's parent.
+  /// The faces below a node, and everyone's parent.
   void collect(int index) {
     const Node& node = tree_.nodes[index];
     if (node.op == Op::Literal) {
       const Literal& literal = tree_.literals[node.literal];
-      for (const FlatEnd end : flat_ends(literal)) {
-        if (is_turned(outward_normal(literal, end))) faces_.push_back({index, end});
-      }
+      for (const FlatEnd end : flat_ends(literal)) add_face({index, end});
+      const bool is_prism = literal.kind == SolidKind::Prism && !literal.stretch;
+      for (int k = 0; is_prism && k < literal.sides; ++k) add_face({index, {}, k});
     }
     for (const int child : node.children) {
       parent_[child] = index;
@@ -82,31 +133,42 @@ class Separation {
     }
   }
 
-  bool is_turned(const Vec3& normal) const {
-    return (main_.transpose() * normal).cwiseAbs().maxCoeff() < 1 - kParallel;
+  void add_face(Face face) {
+    const Vec3 normal = normal_of(literal_of(face), face);
+    face.is_turned = (main_.transpose() * normal).cwiseAbs().maxCoeff() < 1 - kParallel;
+    faces_.push_back(face);
   }
 
   void separate(const Face& a, const Face& b) {
+    if (!a.is_rounded() && !b.is_rounded()) return;
+    if (a.node == b.node || (a.is_side() && b.is_side())) return;
     const Literal& l = literal_of(a);
     const Literal& m = literal_of(b);
-    const Vec3 normal = outward_normal(l, a.end);
-    const Vec3 other = outward_normal(m, b.end);
-    if (a.node == b.node || normal.cross(other).norm() > kParallel) return;
+    const Vec3 normal = normal_of(l, a);
+    const Vec3 other = normal_of(m, b);
+    if (normal.cross(other).norm() > kParallel) return;
     const bool is_same_side = normal.dot(other) > 0;
-    const double gap = plane_offset(l, a.end) - plane_offset(m, b.end) * (is_same_side ? 1 : -1);
+    const double gap = offset_of(l, a) - offset_of(m, b) * (is_same_side ? 1 : -1);
     if (std::abs(gap) > kCoplanar * diagonal_) return;
     const Meeting meeting = meeting_of(a.node, b.node);
     // Solid and void on one side of the plane, or equals back to back, leave nothing at the plane.
     if (is_same_side == (meeting.takes_first == meeting.takes_second)) return;
-    if (!overlap(l, a.end, m, b.end) && !overlap(m, b.end, l, a.end)) return;
+    if (!overlap(l, a, m, b) && !overlap(m, b, l, a)) return;
     // Solids decide in a union, tools in the other operations.
     const bool tools_decide = meeting.op != Op::Union;
-    for (const auto& [face, is_tool] :
-         {std::pair{a, meeting.takes_first}, {b, meeting.takes_second}}) {
-      if (is_tool != tools_decide) continue;
-      literal_of(face) = with_moved_end(literal_of(face), face.end, nudge_);
-      return;
-    }
+    const bool first_decides = meeting.takes_first == tools_decide;
+    if (!first_decides && meeting.takes_second != tools_decide) return;
+    const Face& decides = first_decides ? a : b;
+    const Face& yields = first_decides ? b : a;
+    if (!decides.is_side()) return move(decides, nudge_);
+    // A prism's side stays: what decides as much as the prism moves out, what it takes away in.
+    const bool both_decide = meeting.takes_first == meeting.takes_second;
+    move(yields, both_decide ? nudge_ : -nudge_);
+  }
+
+  void move(const Face& face, double amount) {
+    const Literal moved = with_moved_end(literal_of(face), face.end, amount);
+    if (is_valid_flat(moved)) literal_of(face) = moved;
   }
 
   Meeting meeting_of(int a, int b) const {
@@ -128,19 +190,12 @@ class Separation {
     return is_taken;
   }
 
-  /// Whether some of the first end lies on the second.
-  static bool overlap(const Literal& l, FlatEnd end, const Literal& m, FlatEnd other) {
-    const LocalBox plane = beyond_end(l, end, 0, 0);
-    const int u = (end.axis + 1) % 3;
-    const int v = (end.axis + 2) % 3;
+  /// Whether some of the first face lies on the second.
+  static bool overlap(const Literal& l, const Face& face, const Literal& m, const Face& other) {
     for (int i = 0; i < kProbes * kProbes; ++i) {
       const int row = i / kProbes;
-      Vec3 p = plane.lo;
-      p[u] += plane.size()[u] * (i % kProbes + 0.5) / kProbes;
-      p[v] += plane.size()[v] * (row + 0.5) / kProbes;
-      if (is_over_end(l, end, p, 0) && is_over_end(m, other, m.to_local(l.to_world(p)), 0)) {
-        return true;
-      }
+      const Vec3 p = point_across(l, face, (i % kProbes + 0.5) / kProbes, (row + 0.5) / kProbes);
+      if (is_on(l, face, p) && is_on(m, other, p)) return true;
     }
     return false;
   }

@@ -9,8 +9,9 @@ namespace hewn {
 /// of turned literals, so such faces miss each other by a rounding error and leave sheets or cracks
 /// as large as the faces. Of each two, the face that decides is moved out of its literal by a round
 /// amount of at most 1e-5 of the diagonal, so that solids overlap and tools reach through. Faces
-/// parallel to the tree's main axes (those of most literals) have equal coordinates and stay.
-/// Cost: O(literals^2) comparisons of planes.
+/// parallel to the tree's main axes (those of most literals) have equal coordinates and stay,
+/// unless they meet the side of a prism; what meets such a side moves, out or in, since the side
+/// cannot. Cost: O(literals^2) comparisons of planes.
 Tree with_turned_faces_apart(const Tree& tree);
 
 }  // namespace hewn

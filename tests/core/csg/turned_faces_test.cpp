@@ -80,6 +80,54 @@ TEST_CASE("faces along the main axes, apart, or side by side stay") {
   }
 }
 
+/// A hexagonal bar from z = 0 to 4 around the origin, its sides 1 away, one of them facing -y.
+Literal hexagonal_bar() {
+  Literal s;
+  s.kind = SolidKind::Prism;
+  s.sides = 6;
+  s.radius = 1;
+  s.height = 4;
+  return s;
+}
+
+TEST_CASE("the side of a prism stays and what meets it moves") {
+  Fixture f;
+  const Mat3 onto_side = turned_about_z(kPi / 6);  // x along the first side's normal
+  const int block = f.tree.add_literal(box({-4, -4, 0}, {4, 4, 4}));
+  SUBCASE("a tool beyond the side of a tool reaches into it") {
+    const int bore = f.tree.add_literal(hexagonal_bar());
+    const int slot = f.tree.add_literal(box({1, -0.2, 1}, {3, 0.2, 2}, onto_side));
+    const int cut = f.tree.add_node(Op::Difference, {block, bore, slot});
+    f.tree.root = f.tree.add_node(Op::Union, {f.plate, f.second, f.third, cut});
+    const Tree apart = with_turned_faces_apart(f.tree);
+    CHECK(f.literal(apart, slot).origin.x() == doctest::Approx(0.9999).epsilon(1e-9));
+    CHECK(f.literal(apart, slot).size.x() == doctest::Approx(2.0001).epsilon(1e-9));
+    CHECK(f.literal(apart, bore).radius == 1);
+  }
+  SUBCASE("a solid that a prism cuts flush ends short of it") {
+    const int rib = f.tree.add_literal(box({0, -0.2, 1}, {1, 0.2, 2}, onto_side));
+    const int bore = f.tree.add_literal(hexagonal_bar());
+    const int cut = f.tree.add_node(Op::Difference, {rib, bore});
+    f.tree.root = f.tree.add_node(Op::Union, {f.plate, f.second, f.third, block, cut});
+    const Tree apart = with_turned_faces_apart(f.tree);
+    CHECK(f.literal(apart, rib).size.x() == doctest::Approx(0.9999).epsilon(1e-9));
+  }
+  SUBCASE("along the main axes, too") {
+    const int bar = f.tree.add_literal(hexagonal_bar());
+    const int rib = f.tree.add_literal(box({-0.2, 1, 1}, {0.2, 3, 2}));
+    f.tree.root = f.tree.add_node(Op::Union, {f.plate, f.second, f.third, bar, rib});
+    const Tree apart = with_turned_faces_apart(f.tree);
+    CHECK(f.literal(apart, rib).origin.y() == doctest::Approx(0.9999).epsilon(1e-9));
+  }
+  SUBCASE("beside the side is not on it") {
+    const int bar = f.tree.add_literal(hexagonal_bar());
+    const int rib = f.tree.add_literal(box({1, -0.2, 5}, {3, 0.2, 6}, onto_side));
+    f.tree.root = f.tree.add_node(Op::Union, {f.plate, f.second, f.third, bar, rib});
+    const Tree apart = with_turned_faces_apart(f.tree);
+    CHECK(f.literal(apart, rib).size.x() == 2);
+  }
+}
+
 TEST_CASE("the axes of most literals are the main ones, however the tree lies") {
   Fixture f;
   const int a = f.tree.add_literal(box({0, 0, 0}, {2, 2, 2}, f.turn));
