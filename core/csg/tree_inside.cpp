@@ -5,7 +5,7 @@
 namespace hewn {
 
 TreeInside::TreeInside(const Tree& tree) : tree_(&tree) {
-  for (const Literal& s : tree.literals) bounds_.push_back(s.bounds());
+  for (const Literal& s : tree.literals) bounds_.emplace_back(s);
 }
 
 bool TreeInside::contains(int node, const Vec3& x) const {
@@ -14,9 +14,7 @@ bool TreeInside::contains(int node, const Vec3& x) const {
   switch (n.op) {
     case Op::Literal: {
       const auto k = static_cast<std::size_t>(n.literal);
-      // Bounds are tight but rounded.
-      const double margin = 1e-9 * bounds_[k].diagonal();
-      return bounds_[k].contains(x, margin) && tree_->literals[k].signed_distance(x) < 0;
+      return distance_within(tree_->literals[k], bounds_[k], x, 0) < 0;
     }
     case Op::Union:
       return std::any_of(n.children.begin(), n.children.end(), holds);

@@ -2,6 +2,7 @@
 /// Membership in a tree's solid without distances.
 #include <vector>
 
+#include "core/csg/literal_bounds.h"
 #include "core/csg/tree.h"
 
 namespace hewn {
@@ -18,7 +19,7 @@ class TreeInside {
   bool contains(int node, const Vec3& x) const;
 
   const Tree* tree_;
-  std::vector<Box3> bounds_;  ///< of each literal
+  std::vector<LiteralBounds> bounds_;  ///< of each literal
 };
 
 }  // namespace hewn

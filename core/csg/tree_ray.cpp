@@ -12,6 +12,8 @@ namespace {
 
 using Intervals = std::vector<TreeInterval>;
 
+constexpr TreeInterval kWholeLine{{-kInfinity, -1, 0}, {kInfinity, -1, 0}};
+
 /// A stretch along a line with the faces at its ends, narrowed by one constraint after the other.
 struct Span {
   double enter = -kInfinity, leave = kInfinity;
@@ -162,23 +164,23 @@ void intersect(const Intervals& a, const Intervals& b, Intervals& out) {
 /// The line without `a`.
 void complement(const Intervals& a, Intervals& out) {
   out.clear();
-  TreeCrossing from{-kInfinity, -1, 0};
+  TreeCrossing from = kWholeLine.enter;
   for (const TreeInterval& stretch : a) {
     if (from.t < stretch.enter.t) out.push_back({from, stretch.enter});
     from = stretch.leave;
   }
-  if (from.t < kInfinity) out.push_back({from, {kInfinity, -1, 0}});
+  if (from.t < kInfinity) out.push_back({from, kWholeLine.leave});
 }
 
 }  // namespace
 
 struct TreeRays::Ray {
   Vec3 origin, direction;
-  double reach = kInfinity;
-  Vec3 inverse;  ///< of the direction; where that is 0 it is not used
+  bool is_nearby = false;  ///< only as far as the scratch memory's ball
+  Vec3 inverse;            ///< of the direction; where that is 0 it is not used
 
-  Ray(const Vec3& from, const Vec3& along, double length = kInfinity)
-      : origin(from), direction(along), reach(length), inverse(along.cwiseInverse()) {}
+  Ray(const Vec3& from, const Vec3& along, bool stays_nearby = false)
+      : origin(from), direction(along), is_nearby(stays_nearby), inverse(along.cwiseInverse()) {}
 
   /// Whether it certainly passes the box by. Generous: bounds are computed apart from the surfaces
   /// that they enclose.
@@ -196,13 +198,13 @@ struct TreeRays::Ray {
       leave = std::min(leave, std::max(a, b));
     }
     const double slack = 1e-9 * (1 + std::abs(enter));
-    return enter > leave + slack || leave < -slack || enter > reach + slack;
+    return enter > leave + slack || leave < -slack;
   }
 };
 
 TreeRays::TreeRays(const Tree& tree) : tree_(&tree) {
   for (const Literal& literal : tree.literals) {
-    bounds_.push_back(literal.bounds());
+    bounds_.emplace_back(literal);
     std::shared_ptr<const MeshQuery> query;
     if (literal.kind == SolidKind::Polyhedron && literal.polyhedron) {
       query = literal.polyhedron_query ? literal.polyhedron_query
@@ -213,7 +215,7 @@ TreeRays::TreeRays(const Tree& tree) : tree_(&tree) {
 }
 
 void TreeRays::append_literal(int literal, const Ray& ray, Intervals& out) const {
-  if (ray.misses(bounds_[literal])) return;
+  if (ray.misses(bounds_[literal].box)) return;
   const Literal& shape = tree_->literals[literal];
   const Vec3 o = shape.to_local(ray.origin);
   const Vec3 d = shape.direction_to_local(ray.direction);
@@ -259,6 +261,11 @@ void TreeRays::cast_node(int node, const Ray& ray, std::size_t depth,
   // Four lists a level: the result so far, the child's, its complement and the combination.
   const std::size_t base = 3 * depth;
   if (scratch.lists.size() < base + 4) scratch.lists.resize(base + 4);
+  if (ray.is_nearby && scratch.nearby[node] != Nearby::Surface) {
+    const bool is_all = scratch.nearby[node] == Nearby::All;
+    scratch.lists[base].assign(is_all ? 1 : 0, kWholeLine);
+    return;
+  }
   const Node& here = tree_->nodes[node];
   if (here.op == Op::Literal) {
     scratch.lists[base].clear();
@@ -308,16 +315,53 @@ void TreeRays::cast_literals(const Vec3& origin, const Vec3& direction, Interval
 
 const Intervals& TreeRays::cast(const Vec3& origin, const Vec3& direction,
                                 TreeRayScratch& scratch) const {
-  return cast_within(origin, direction, kInfinity, scratch);
+  return cast(Ray(origin, direction), scratch);
 }
 
-const Intervals& TreeRays::cast_within(const Vec3& origin, const Vec3& direction, double reach,
+const Intervals& TreeRays::cast_nearby(const Vec3& origin, const Vec3& direction,
                                        TreeRayScratch& scratch) const {
+  return cast(Ray(origin, direction, true), scratch);
+}
+
+const Intervals& TreeRays::cast(const Ray& ray, TreeRayScratch& scratch) const {
   if (scratch.lists.empty()) scratch.lists.resize(4);
   scratch.lists[0].clear();
-  if (!tree_->is_empty()) cast_node(tree_->root, {origin, direction, reach}, 0, scratch);
+  if (!tree_->is_empty()) cast_node(tree_->root, ray, 0, scratch);
   std::erase_if(scratch.lists[0], [](const TreeInterval& s) { return s.leave.t <= 0; });
   return scratch.lists[0];
+}
+
+Nearby TreeRays::look_around(const Vec3& center, double reach, TreeRayScratch& scratch) const {
+  scratch.nearby.resize(tree_->nodes.size());
+  return tree_->is_empty() ? Nearby::Nothing
+                           : look_around(tree_->root, center, reach, scratch.nearby);
+}
+
+/// Stops at the first operand that decides.
+Nearby TreeRays::look_around(int node, const Vec3& center, double reach,
+                             std::vector<Nearby>& nearby) const {
+  const Node& here = tree_->nodes[node];
+  if (here.op == Op::Literal) {
+    const double distance =
+        distance_within(tree_->literals[here.literal], bounds_[here.literal], center, reach);
+    const bool is_far = std::abs(distance) > reach;
+    return nearby[node] = !is_far ? Nearby::Surface : distance < 0 ? Nearby::All : Nearby::Nothing;
+  }
+  const auto opposite = [](Nearby n) {
+    return n == Nearby::Surface ? n : n == Nearby::All ? Nearby::Nothing : Nearby::All;
+  };
+  if (here.children.empty()) return nearby[node] = Nearby::Nothing;
+  const Nearby decides = here.op == Op::Union ? Nearby::All : Nearby::Nothing;
+  Nearby all = opposite(decides);
+  bool is_taken_away = here.op == Op::Complement;  // of a difference all but the first are
+  for (const int child : here.children) {
+    const Nearby below = look_around(child, center, reach, nearby);
+    const Nearby counts = is_taken_away ? opposite(below) : below;
+    if (counts == decides) return nearby[node] = decides;
+    if (counts == Nearby::Surface) all = Nearby::Surface;
+    is_taken_away = here.op == Op::Difference;
+  }
+  return nearby[node] = all;
 }
 
 Vec3 TreeRays::normal(const TreeCrossing& crossing, const Vec3& position,

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/csg/literal_bounds.h"
 #include "core/csg/tree.h"
 #include "core/mesh/query.h"
 
@@ -20,9 +21,13 @@ struct TreeInterval {
   TreeCrossing enter, leave;
 };
 
+/// What a ball around a point has of a solid.
+enum class Nearby : char { Nothing, All, Surface };
+
 /// Scratch memory of one thread; keeps casting free of allocations.
 struct TreeRayScratch {
   std::vector<std::vector<TreeInterval>> lists;
+  std::vector<Nearby> nearby;  ///< by node; read below nodes with a surface only
 };
 
 /// Immutable once built; thread-safe. The tree must outlive it.
@@ -33,10 +38,13 @@ class TreeRays {
   /// All stretches with t > 0 inside the solid, ascending. Cost: O(literals) for small results.
   const std::vector<TreeInterval>& cast(const Vec3& origin, const Vec3& direction,
                                         TreeRayScratch& scratch) const;
-  /// The same as far as t <= `reach`; what lies beyond may be missing or wrong. Only literals whose
-  /// bounds the ray meets on that way are looked at.
-  const std::vector<TreeInterval>& cast_within(const Vec3& origin, const Vec3& direction,
-                                               double reach, TreeRayScratch& scratch) const;
+  /// What the ball of radius `reach` around a point has of the tree's solid, for `cast_nearby`.
+  /// `Surface` when in doubt. Cost: the distances of literals near the ball.
+  Nearby look_around(const Vec3& center, double reach, TreeRayScratch& scratch) const;
+  /// The same as `cast` in the ball last looked at, whose centre is the origin; what lies beyond
+  /// may be missing or wrong. Only nodes with a surface in the ball are visited.
+  const std::vector<TreeInterval>& cast_nearby(const Vec3& origin, const Vec3& direction,
+                                               TreeRayScratch& scratch) const;
   /// The stretches inside one literal with leave.t > 0, ascending; replaces `out`.
   void cast_literal(int literal, const Vec3& origin, const Vec3& direction,
                     std::vector<TreeInterval>& out) const;
@@ -50,11 +58,13 @@ class TreeRays {
 
  private:
   struct Ray;
+  const std::vector<TreeInterval>& cast(const Ray& ray, TreeRayScratch& scratch) const;
   void cast_node(int node, const Ray& ray, std::size_t depth, TreeRayScratch& scratch) const;
+  Nearby look_around(int node, const Vec3& center, double reach, std::vector<Nearby>& nearby) const;
   void append_literal(int literal, const Ray& ray, std::vector<TreeInterval>& out) const;
 
   const Tree* tree_;
-  std::vector<Box3> bounds_;                              ///< of each literal
+  std::vector<LiteralBounds> bounds_;                     ///< of each literal
   std::vector<std::shared_ptr<const MeshQuery>> meshes_;  ///< of polyhedra, else null
 };
 

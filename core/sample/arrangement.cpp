@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 #include <utility>
 
 #include "core/base/rng.h"
@@ -17,37 +18,27 @@ constexpr double kResolution = 1e-6;  ///< share of the scale
 constexpr double kUncertain = 1e-9;
 constexpr double kUncertainMesh = 3e-7;  ///< of a polyhedron's diagonal: rays in single precision
 
-/// `Box3::contains` of a box grown by `margin`, leaving at the first side that `p` is beyond.
-bool reaches(const Box3& box, const Vec3& p, double margin) {
-  for (int k = 0; k < 3; ++k) {
-    if (p[k] < box.lo[k] - margin || p[k] > box.hi[k] + margin) return false;
-  }
-  return true;
-}
-
-/// Cells found by one chunk of work, each once.
+/// Cells found by one chunk of work, each once. A cell is known by its key, the exclusive or of the
+/// keys of the literals that hold it: one crossing changes it at once. That two cells have the same
+/// key is less likely than a cell no line meets.
 struct Finds {
   std::vector<Vec3> points;
-  std::vector<Word> signatures;
-  std::unordered_multimap<std::uint64_t, std::size_t> by_hash;  // looked up only
+  std::vector<std::uint64_t> keys;
+  std::unordered_set<std::uint64_t> known;  // looked up only
 
-  bool is_new(const Word* signature, std::size_t stride) {
-    const std::uint64_t hash = hash_words({signature, stride});
-    const auto [begin, end] = by_hash.equal_range(hash);
-    for (auto it = begin; it != end; ++it) {
-      if (std::equal(signature, signature + stride, signatures.data() + it->second * stride)) {
-        return false;
-      }
-    }
-    by_hash.emplace(hash, points.size());
-    return true;
-  }
-  void add(const Vec3& p, const Word* signature, std::size_t stride) {
-    if (!is_new(signature, stride)) return;
+  void add(const Vec3& p, std::uint64_t key) {
+    if (!known.insert(key).second) return;
     points.push_back(p);
-    signatures.insert(signatures.end(), signature, signature + stride);
+    keys.push_back(key);
   }
 };
+
+std::vector<std::uint64_t> literal_keys(std::size_t literals) {
+  Rng rng(0x5CE11);
+  std::vector<std::uint64_t> keys(literals);
+  for (std::uint64_t& key : keys) key = rng.next();
+  return keys;
+}
 
 /// What all chunks read.
 struct Scene {
@@ -56,6 +47,7 @@ struct Scene {
   Box3 box;  ///< of all literals
   const ArrangementOptions& options;
   std::uint64_t seed;
+  std::vector<std::uint64_t> keys;              ///< of each literal
   std::vector<std::vector<FacePlane>> planes;   ///< of each literal
   std::vector<std::pair<int, int>> neighbours;  ///< literals whose bounds meet
 };
@@ -63,9 +55,7 @@ struct Scene {
 /// Walks lines and circles through the arrangement.
 class Walker {
  public:
-  Walker(const Scene& scene, Finds& finds) : scene_(scene), finds_(finds) {
-    signature_.resize(scene.arrangement.stride);
-  }
+  Walker(const Scene& scene, Finds& finds) : scene_(scene), finds_(finds) {}
 
   /// Every cell along the line that is longer than rounding on it.
   void line(const ProbeLine& probe) {
@@ -78,16 +68,15 @@ class Walker {
       events_.push_back({s.leave.t, s.leave.literal});
     }
     std::sort(events_.begin(), events_.end());
-    std::fill(signature_.begin(), signature_.end(), 0);
+    std::uint64_t key = 0;
     const double shortest = 4 * kUncertain * scene_.arrangement.scale;
     for (std::size_t i = 0; i < events_.size(); ++i) {
-      signature_[static_cast<std::size_t>(events_[i].second) / 64] ^= Word{1}
-                                                                      << (events_[i].second % 64);
+      key ^= scene_.keys[static_cast<std::size_t>(events_[i].second)];
       const bool is_last = i + 1 == events_.size();
       const double next = is_last ? events_[i].first + reach * 0.01 : events_[i + 1].first;
       if (next - events_[i].first < shortest) continue;
       const Vec3 p = from + (events_[i].first + next) / 2 * probe.direction;
-      finds_.add(p, signature_.data(), signature_.size());
+      finds_.add(p, key);
     }
   }
 
@@ -111,7 +100,9 @@ class Walker {
     const Vec3 p = probe.center + std::cos(angle) * probe.u + std::sin(angle) * probe.w;
     std::vector<Word> signature(scene_.arrangement.stride);
     if (!classify(scene_.arrangement, p, signature.data())) return {};
-    finds_.add(p, signature.data(), signature.size());
+    std::uint64_t key = 0;
+    for_each_bit(signature, [&](std::size_t literal) { key ^= scene_.keys[literal]; });
+    finds_.add(p, key);
     return signature;
   }
 
@@ -131,7 +122,6 @@ class Walker {
   Finds& finds_;
   std::vector<std::pair<double, int>> events_;
   std::vector<TreeInterval> stretches_;
-  std::vector<Word> signature_;
 };
 
 Vec3 point_in(const Box3& box, Rng& rng) {
@@ -148,7 +138,7 @@ void walk_volume(const Scene& scene, std::size_t chunk, Finds& finds) {
   Walker walker(scene, finds);
   const std::size_t literals = scene.arrangement.literals.size();
   for (int i = 0; i < kLinesPerChunk; ++i) {
-    const Box3 box = i % 2 == 0 ? scene.box : scene.arrangement.bounds[rng.below(literals)];
+    const Box3 box = i % 2 == 0 ? scene.box : scene.arrangement.bounds[rng.below(literals)].box;
     const Vec3 a = point_in(box, rng);
     const Vec3 b = point_in(box, rng);
     const Vec3 d = i % 8 < 3 ? Vec3(Vec3::Unit(i % 3)) : Vec3(b - a);
@@ -178,10 +168,10 @@ std::vector<std::pair<int, int>> neighbours_of(const Arrangement& arrangement, s
   std::vector<std::pair<int, int>> pairs;
   const Vec3 margin = Vec3::Constant(2 * arrangement.resolution);
   for (std::size_t b = first; b < arrangement.bounds.size(); ++b) {
-    const Vec3 lo = arrangement.bounds[b].lo - margin;
-    const Vec3 hi = arrangement.bounds[b].hi + margin;
+    const Vec3 lo = arrangement.bounds[b].box.lo - margin;
+    const Vec3 hi = arrangement.bounds[b].box.hi + margin;
     for (std::size_t a = 0; a < b; ++a) {
-      const Box3& other = arrangement.bounds[a];
+      const Box3& other = arrangement.bounds[a].box;
       if ((other.lo.array() > hi.array()).any() || (other.hi.array() < lo.array()).any()) continue;
       pairs.emplace_back(static_cast<int>(a), static_cast<int>(b));
     }
@@ -243,12 +233,11 @@ void walk_crossing(const Scene& scene, const Crossing& crossing, Walker& walker)
 }
 
 /// Adds what the chunks found to what is known. Returns how much of it is new.
-std::size_t merge_finds(const std::vector<Finds>& chunks, std::size_t stride, std::size_t most,
-                        Finds& all) {
+std::size_t merge_finds(const std::vector<Finds>& chunks, std::size_t most, Finds& all) {
   const std::size_t before = all.points.size();
   for (const Finds& f : chunks) {
     for (std::size_t i = 0; i < f.points.size() && all.points.size() < most; ++i) {
-      all.add(f.points[i], f.signatures.data() + i * stride, stride);
+      all.add(f.points[i], f.keys[i]);
     }
   }
   return all.points.size() - before;
@@ -272,7 +261,7 @@ void walk_along_faces(const Scene& scene, std::size_t first, const RunContext& r
     const std::size_t end = std::min(begin + kLinesPerChunk, crossings.size());
     for (std::size_t k = begin; k < end; ++k) walk_crossing(scene, crossings[k], walker);
   });
-  merge_finds(finds, scene.arrangement.stride, scene.options.most_cells, all);
+  merge_finds(finds, scene.options.most_cells, all);
 }
 
 /// Random lines, batch by batch, until one finds nothing new.
@@ -285,7 +274,7 @@ void walk_through_volume(const Scene& scene, const RunContext& run, Finds& all) 
     for_each_index(run.threads, finds.size(),
                    [&](std::size_t i) { walk_volume(scene, done + i, finds[i]); });
     done += finds.size();
-    if (merge_finds(finds, scene.arrangement.stride, scene.options.most_cells, all) == 0) return;
+    if (merge_finds(finds, scene.options.most_cells, all) == 0) return;
   }
 }
 
@@ -299,9 +288,7 @@ bool classify(const Arrangement& arrangement, const Vec3& p, Word* signature) {
     if (s.kind == SolidKind::Polyhedron && s.polyhedron) {
       margin = std::max(margin, kUncertainMesh * s.polyhedron->diagonal());
     }
-    // Bounds are rounded, too.
-    if (!reaches(arrangement.bounds[k], p, 2 * margin)) continue;
-    const double d = s.signed_distance(p);
+    const double d = distance_within(s, arrangement.bounds[k], p, margin);
     if (std::abs(d) < margin) return false;
     if (d < 0) set_bit(signature, k);
   }
@@ -312,7 +299,7 @@ ArrangementSampler::ArrangementSampler(std::vector<Literal> literals, double sca
   out_.literals = std::move(literals);
   out_.stride = std::max<std::size_t>(1, (out_.literals.size() + 63) / 64);
   out_.scale = scale;
-  for (const Literal& s : out_.literals) out_.bounds.push_back(s.bounds());
+  for (const Literal& s : out_.literals) out_.bounds.emplace_back(s);
   out_.resolution = kResolution * scale;
 }
 
@@ -361,10 +348,12 @@ Result<std::size_t> ArrangementSampler::sample(const ArrangementOptions& options
   Tree tree;
   tree.literals = out_.literals;
   const TreeRays rays(tree);
-  Scene scene{out_, rays, {}, options, run.seed + 977 * options.stream, {}, {}};
-  for (const Box3& box : out_.bounds) {
-    scene.box.extend(box.lo);
-    scene.box.extend(box.hi);
+  Scene scene{
+      out_, rays, {}, options, run.seed + 977 * options.stream, literal_keys(out_.literals.size()),
+      {},   {}};
+  for (const LiteralBounds& bounds : out_.bounds) {
+    scene.box.extend(bounds.box.lo);
+    scene.box.extend(bounds.box.hi);
   }
   for (const Literal& s : out_.literals) scene.planes.push_back(planes_of(s));
   const std::size_t literals = out_.literals.size();

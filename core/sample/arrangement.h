@@ -8,7 +8,7 @@
 #include "core/base/result.h"
 #include "core/base/run_context.h"
 #include "core/compute/bits.h"
-#include "core/csg/literal.h"
+#include "core/csg/literal_bounds.h"
 
 namespace hewn {
 
@@ -16,7 +16,7 @@ namespace hewn {
 /// intersection terms, Friedrich et al. 2020, section 3.1.1).
 struct Arrangement {
   std::vector<Literal> literals;
-  std::vector<Box3> bounds;  ///< of each literal
+  std::vector<LiteralBounds> bounds;  ///< of each literal
   std::size_t stride = 0;    ///< words per signature
   std::vector<Vec3> points;
   std::vector<Word> signatures;  ///< bit k: the cell's point is inside literal k

@@ -130,8 +130,7 @@ class TreeComparison {
     program_a_ = std::make_unique<WordProgram>(a, of_a);
     program_b_ = std::make_unique<WordProgram>(b, of_b);
     for (const Literal& s : literals_) {
-      const Box3 box = s.bounds();
-      bounds_.push_back(box);
+      const Box3& box = bounds_.emplace_back(s).box;
       if (box.is_empty()) continue;
       box_.extend(box.lo);
       box_.extend(box.hi);
@@ -203,11 +202,11 @@ class TreeComparison {
     return cells;
   }
 
-  Cell octant(const Cell& parent, int k) const {
+  Cell octant(const Cell& parent, int octant) const {
     Cell cell;
     const Vec3 middle = parent.box.center();
     for (int i = 0; i < 3; ++i) {
-      const bool is_upper = ((k >> i) & 1) != 0;
+      const bool is_upper = ((octant >> i) & 1) != 0;
       cell.box.lo[i] = is_upper ? middle[i] : parent.box.lo[i];
       cell.box.hi[i] = is_upper ? parent.box.hi[i] : middle[i];
     }
@@ -217,16 +216,12 @@ class TreeComparison {
     const Vec3 center = cell.box.center();
     for (const int literal : parent.open) {
       const double reach = radius + mesh_margin(literal);
-      // Beyond its bounds a literal is outside, and cheaper to tell.
-      const bool is_beyond =
-          !bounds_[static_cast<std::size_t>(literal)].contains(center, 2 * reach);
-      const double d = is_beyond
-                           ? kInfinity
-                           : literals_[static_cast<std::size_t>(literal)].signed_distance(center);
+      const auto k = static_cast<std::size_t>(literal);
+      const double d = distance_within(literals_[k], bounds_[k], center, reach);
       if (std::abs(d) <= reach) {
         cell.open.push_back(literal);
       } else {
-        cell.values[static_cast<std::size_t>(literal)] = d < 0 ? ~std::uint64_t{0} : 0;
+        cell.values[k] = d < 0 ? ~std::uint64_t{0} : 0;
       }
     }
     return cell;
@@ -306,8 +301,7 @@ class TreeComparison {
       for (const int literal : cell.open) {
         const auto k = static_cast<std::size_t>(literal);
         const double margin = kUncertain * all.scale_ + all.mesh_margin(literal);
-        if (!all.bounds_[k].contains(p, 2 * margin)) continue;
-        const double d = all.literals_[k].signed_distance(p);
+        const double d = distance_within(all.literals_[k], all.bounds_[k], p, margin);
         if (std::abs(d) < margin) return false;
         if (d < 0) cell.values[k] |= bit;
       }
@@ -333,7 +327,7 @@ class TreeComparison {
   const RunContext& run_;
   TreeRays rays_;
   std::vector<Literal> literals_;
-  std::vector<Box3> bounds_;  ///< of each literal
+  std::vector<LiteralBounds> bounds_;  ///< of each literal
   std::unique_ptr<WordProgram> program_a_, program_b_;
   Box3 box_;
   double scale_ = 1;
@@ -344,12 +338,14 @@ class TreeComparison {
 
 double distance_along_rays(const TreeRays& rays, const Vec3& p, double enough) {
   TreeRayScratch scratch;
+  const bool is_nearby = enough > 0;
+  if (is_nearby && rays.look_around(p, enough, scratch) != Nearby::Surface) return kInfinity;
   double nearest = kInfinity;
-  const double reach = enough > 0 ? enough : kInfinity;
   for (int k = 0; k < 27; ++k) {
-    const Vec3 d(k % 3 - 1, (k / 3) % 3 - 1, k / 9 - 1);
+    Vec3 d(k % 3 - 1, (k / 3) % 3 - 1, k / 9 - 1);
     if (d.squaredNorm() == 0) continue;
-    const auto& stretches = rays.cast_within(p, d.normalized(), reach, scratch);
+    d.normalize();
+    const auto& stretches = is_nearby ? rays.cast_nearby(p, d, scratch) : rays.cast(p, d, scratch);
     if (stretches.empty()) continue;
     const TreeInterval& first = stretches.front();
     const double t = first.enter.t > 0 ? first.enter.t : first.leave.t;

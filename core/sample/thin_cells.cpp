@@ -42,10 +42,7 @@ std::vector<CellDepth> find_thin_cells(const Tree& tree, const Arrangement& arra
   Tree all;
   all.literals = arrangement.literals;
   const TreeRays literals(all);
-  const auto is_deep = [&](const Vec3& p) {
-    // The tree's distance never exceeds the true one.
-    return std::abs(tree.signed_distance(p)) > depth || distance_along_rays(rays, p, depth) > depth;
-  };
+  const auto is_deep = [&](const Vec3& p) { return distance_along_rays(rays, p, depth) > depth; };
   for_each_chunk(run.threads, depths.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && !run.is_cancelled(); ++i) {
       Rng rng(run.seed, first + i);

@@ -83,10 +83,7 @@ std::vector<BoundaryHit> boundary_hits(const TreeRays& rays, const TreeSurfaces&
 }
 
 bool is_free(const TreeRays& rays, const Vec3& p, double depth) {
-  if (depth <= 0) return false;
-  // The tree's distance never exceeds the true one.
-  if (std::abs(rays.tree().signed_distance(p)) > depth) return false;
-  return distance_along_rays(rays, p, depth) <= depth;
+  return depth > 0 && distance_along_rays(rays, p, depth) <= depth;
 }
 
 }  // namespace hewn

@@ -302,18 +302,14 @@ class TreeRebuilder::Search {
     return true;
   }
 
-  /// Less for what takes long to search; it is rewritten afterwards.
+  /// Fewer starts for what takes long to search; it is rewritten afterwards.
   ListSearchOptions list_options() const {
-    constexpr double kFullEffortWork = 1000;  // halfspaces x words
-    constexpr int kFewestSteps = 300;
+    constexpr double kFullEffortWork = 3000;  // halfspaces x words
+    constexpr int kFewStarts = 3;
     ListSearchOptions list = options_.list;
-    const auto work = static_cast<double>(columns_->halfspaces() * columns_->words());
-    const double share = std::min(1.0, kFullEffortWork / work);
-    list.neighbourhood_steps =
-        std::max(kFewestSteps, static_cast<int>(share * list.neighbourhood_steps));
-    if (share < 0.5) {
-      list.starts = std::min(list.starts, 2);
-      list.beam_width = std::min(list.beam_width, 3);
+    if (static_cast<double>(columns_->halfspaces() * columns_->words()) > kFullEffortWork) {
+      list.starts = std::min(list.starts, kFewStarts);
+      list.beam_width = std::min(list.beam_width, kFewStarts);
     }
     return list;
   }

@@ -7,8 +7,8 @@ namespace hewn {
 namespace {
 
 /// What is found is rewritten afterwards, so that less of a search does than for reconstruction.
-constexpr int kStarts = 4;
-constexpr int kBeam = 4;
+constexpr int kStarts = 8;
+constexpr int kBeam = 6;
 /// Of answers that are refuted; each mends the one before.
 constexpr int kMostRounds = 24;
 

@@ -118,7 +118,7 @@ TEST_CASE("rays through random trees agree with the signed distance") {
   }
 }
 
-TEST_CASE("within its reach a short ray sees what a long one sees") {
+TEST_CASE("in the ball looked at a nearby ray sees what a long one sees") {
   Rng rng(12);
   TreeRayScratch scratch;
   for (int i = 0; i < 40; ++i) {
@@ -134,12 +134,16 @@ TEST_CASE("within its reach a short ray sees what a long one sees") {
           if (t > 0 && t <= reach) all.push_back(t);
         }
       }
-      for (const TreeInterval& s : rays.cast_within(from, d, reach, scratch)) {
+      const Nearby nearby = rays.look_around(from, reach, scratch);
+      for (const TreeInterval& s : rays.cast_nearby(from, d, scratch)) {
         for (const double t : {s.enter.t, s.leave.t}) {
           if (t > 0 && t <= reach) near.push_back(t);
         }
       }
       REQUIRE(all == near);
+      if (nearby == Nearby::Surface) continue;
+      REQUIRE(all.empty());
+      REQUIRE(tree.contains(from) == (nearby == Nearby::All));
     }
   }
 }
