@@ -1,7 +1,10 @@
 #include "core/csg/literal.h"
 
+#include <cmath>
+
 #include <doctest/doctest.h>
 
+#include "core/csg/literal_bounds.h"
 #include "random_tree.h"
 
 namespace hewn {
@@ -93,6 +96,29 @@ TEST_CASE("the bounds hold the solid and touch it") {
       CHECK(least < 0.1);
     }
   }
+}
+
+TEST_CASE("bounds stand in for distances beyond the reach only") {
+  Rng rng(77);
+  int skipped_inside = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Literal s = testing::random_literal(rng);
+    const LiteralBounds bounds(s);
+    for (int k = 0; k < 50; ++k) {
+      const Vec3 p = testing::random_point(rng, 2);
+      const double reach = rng.uniform(0, 0.5);
+      const double exact = s.signed_distance(p);
+      const double within = distance_within(s, bounds, p, reach);
+      if (std::isfinite(within)) {
+        REQUIRE(within == exact);
+        continue;
+      }
+      REQUIRE((within < 0) == (exact < 0));
+      REQUIRE(std::abs(exact) > reach);
+      skipped_inside += within < 0 ? 1 : 0;
+    }
+  }
+  CHECK(skipped_inside > 0);
 }
 
 TEST_CASE("a polyhedron's query answers as the sum over its triangles does") {
