@@ -1,15 +1,17 @@
 // Every optimisation method on the same trees: size, proximity and time in one table.
 //
-//   optimise_methods [--inflate SEEDS] TREE.scad|TREE.json ...
+//   optimise_methods [--inflate SEEDS | --cells] TREE.scad|TREE.json ...
 //
 // With --inflate, variants inflated by both of the paper's settings instead: all strategies for 10
-// iterations (data set 1), and the genetic one alone for 20 (data set 2).
+// iterations (data set 1), and the genetic one alone for 20 (data set 2). With --cells, the ways to
+// sample the cells from which redundancy removal and decomposition judge.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -18,6 +20,7 @@
 #include "core/csg/literal_set.h"
 #include "core/io/json.h"
 #include "core/io/scad_read/scad_tree.h"
+#include "core/sample/point_sets.h"
 #include "core/synth/inflate.h"
 #include "core/synth/optimise.h"
 #include "core/synth/simplify/dominant.h"
@@ -80,6 +83,40 @@ void compare_methods(const std::string& name, const Tree& tree) {
   }
 }
 
+/// Cells found by lines along the faces, by an octree and by a grid, and whether what decomposition
+/// makes of them is still right on all cells that lines find.
+void compare_samplings(const std::string& name, const Tree& tree) {
+  LiteralSet set;
+  const std::vector<int> literal_of = set.add(tree);
+  const double scale = tree.bounds().diagonal();
+  const double step = scale / 64;
+  RunContext run;
+  ArrangementSampler judge(set.literals(), scale);
+  if (!judge.sample({}, run)) return;
+  const CellColumns all(judge.arrangement());
+  for (const auto& [sampling, label] : {std::pair{CellSampling::Lines, "lines"},
+                                        {CellSampling::Octree, "octree"},
+                                        {CellSampling::Grid, "grid"}}) {
+    const auto start = std::chrono::steady_clock::now();
+    ArrangementSampler sampler(set.literals(), scale);
+    const Arrangement& a = sampler.arrangement();
+    if (sampling == CellSampling::Lines && !sampler.sample({}, run)) return;
+    if (sampling == CellSampling::Octree) sampler.add(octree_points(a, step, run), run);
+    if (sampling == CellSampling::Grid) sampler.add(grid_points(a, step), run);
+    const double sampled = seconds_since(start);
+    const CellColumns cells(a);
+    const Decomposition d = decompose(formula_of(tree, literal_of), cells, cells.all(), run);
+    Formula whole = recomposed(d, d.rest);
+    const int size = formula_size(whole);
+    Formula wanted = formula_of(tree, literal_of);
+    evaluate(whole, all);
+    evaluate(wanted, all);
+    fmt::print("| {} | {} | {} of {} | {:.0f} ms | {:.1f} ms | {} | {} |\n", name, label, a.size(),
+               all.cells(), sampled * 1000, (seconds_since(start) - sampled) * 1000, size,
+               count_differences(whole.value, wanted.value, all.all()));
+  }
+}
+
 /// Data sets 1 and 2 of Friedrich et al. 2020, section 6.1.
 InflateOptions data_set(int number) {
   InflateOptions options;
@@ -116,15 +153,22 @@ void compare_inflated(const std::string& name, const Tree& tree, int seeds, int 
 
 int run_all(int count, char** arguments) {
   int seeds = 0;
+  bool compares_cells = false;
   std::vector<std::filesystem::path> files;
   for (int i = 1; i < count; ++i) {
     if (std::string(arguments[i]) == "--inflate" && i + 1 < count) {
       seeds = std::atoi(arguments[++i]);
+    } else if (std::string(arguments[i]) == "--cells") {
+      compares_cells = true;
     } else {
       files.emplace_back(arguments[i]);
     }
   }
-  if (seeds == 0) {
+  if (compares_cells) {
+    fmt::print(
+        "| tree | sampling | cells | sampling time | decomposition | size | wrong cells |\n");
+    fmt::print("|---|---|---|---|---|---|---|\n");
+  } else if (seeds == 0) {
     fmt::print("| tree | size | remaining literals | cells | method | size | proximity | time |\n");
     fmt::print("|---|---|---|---|---|---|---|---|\n");
   } else {
@@ -137,9 +181,11 @@ int run_all(int count, char** arguments) {
       fmt::print(stderr, "{}: {}\n", tree.error().where, tree.error().message);
       return 1;
     }
-    if (seeds == 0) compare_methods(file.stem().string(), *tree);
+    const std::string name = file.stem().string();
+    if (compares_cells) compare_samplings(name, *tree);
+    if (seeds == 0 && !compares_cells) compare_methods(name, *tree);
     for (const int set : {1, 2}) {
-      if (seeds > 0) compare_inflated(file.stem().string(), *tree, seeds, set);
+      if (seeds > 0) compare_inflated(name, *tree, seeds, set);
     }
     std::fflush(stdout);
   }

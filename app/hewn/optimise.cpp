@@ -1,6 +1,7 @@
 #include "core/synth/optimise.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <mutex>
 
@@ -19,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct OptimiseFlags {
-  std::string input, output, report, front, qubo, method = "rewrite";
+  std::string input, output, report, front, qubo, method = "rewrite", cells = "lines";
   std::vector<double> weights;
   double tolerance = 0;
   int effort = 1;
@@ -30,6 +31,9 @@ struct OptimiseFlags {
 /// In the order of `OptimiseMethod`.
 constexpr const char* kMethods[] = {"redundancy", "rewrite",   "dominant",  "quine-mccluskey",
                                     "espresso",   "set-cover", "annealing", "genetic"};
+
+const std::map<std::string, CellSampling> kCellSamplings = {
+    {"lines", CellSampling::Lines}, {"octree", CellSampling::Octree}, {"grid", CellSampling::Grid}};
 
 OptimiseMethod method_of(const std::string& name) {
   for (std::size_t i = 0; i < std::size(kMethods); ++i) {
@@ -97,6 +101,7 @@ Json report_json(const OptimiseFlags& flags, const OptimiseResult& result, std::
           {"tree", std::filesystem::path(flags.input).filename().string()},
           {"seed", seed},
           {"method", flags.method},
+          {"cells", flags.cells},
           {"tolerance", flags.tolerance},
           {"effort", flags.effort},
           {"keep_primitives", flags.keeps_primitives},
@@ -182,10 +187,11 @@ ExitCode run_optimise(const OptimiseFlags& flags, Environment& environment) {
     if (path.empty() || path == "-") continue;
     if (auto possible = check_output(path); !possible) return environment.fail(possible.error());
   }
-  const auto tree = read_tree_file(flags.input, environment.run);
+  const auto tree = read_tree_file(flags.input, environment.run, kMostOptimisedLiterals);
   if (!tree) return environment.fail(with_input(tree.error(), flags.input));
   OptimiseOptions options;
   options.method = method_of(flags.method);
+  options.cells = kCellSamplings.at(flags.cells);
   options.tolerance = flags.tolerance;
   options.effort = flags.effort;
   options.derives_primitives = !flags.keeps_primitives;
@@ -231,6 +237,11 @@ void add_optimise(CLI::App& app, RunFlags& run_flags, Command& chosen) {
           "dominant (not at all), quine-mccluskey, espresso, set-cover, annealing, genetic "
           "[rewrite]")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(kMethods), std::end(kMethods))));
+  command
+      ->add_option("--cells", flags->cells,
+                   "where the search starts: lines along all faces, or the published octree or "
+                   "grid, whose results may take more rounds to get right [lines]")
+      ->check(CLI::IsMember({"lines", "octree", "grid"}));
   command
       ->add_option("--weights", flags->weights,
                    "of geometry, proximity and size in the genetic search [50,1,10]")

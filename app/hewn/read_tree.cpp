@@ -6,7 +6,6 @@
 #include "core/base/file.h"
 #include "core/base/temporary_folder.h"
 #include "core/io/json.h"
-#include "core/io/scad_read/scad_tree.h"
 #include "core/session/tree_file.h"
 
 namespace hewn {
@@ -14,7 +13,7 @@ namespace {
 
 /// Flattens the design with the program and reads the outcome.
 Result<Tree> read_flattened(const std::filesystem::path& path, const Error& why,
-                            const RunContext& run) {
+                            ScadReadOptions options, const RunContext& run) {
   const auto folder = TemporaryFolder::create();
   if (!folder) return folder.error();
   const std::filesystem::path flat = *folder / "design.csg";
@@ -23,7 +22,6 @@ Result<Tree> read_flattened(const std::filesystem::path& path, const Error& why,
   }
   const auto text = read_file(flat);
   if (!text) return text.error();
-  ScadReadOptions options;
   options.render = [&](const std::string& part) -> Result<Mesh> {
     const std::filesystem::path file = *folder / "part.scad";
     if (auto done = write_file(file, part); !done) return done.error();
@@ -37,7 +35,8 @@ Result<Tree> read_flattened(const std::filesystem::path& path, const Error& why,
 
 }  // namespace
 
-Result<Tree> read_tree_file(const std::filesystem::path& path, const RunContext& run) {
+Result<Tree> read_tree_file(const std::filesystem::path& path, const RunContext& run,
+                            int most_literals) {
   const std::string extension = lower_extension(path);
   if (extension == ".json") return read_tree_json(path);
   if (extension != ".scad" && extension != ".csg") {
@@ -48,9 +47,11 @@ Result<Tree> read_tree_file(const std::filesystem::path& path, const RunContext&
   }
   const auto text = read_file(path);
   if (!text) return text.error();
-  auto tree = tree_from_scad(*text, path.string(), {}, run);
+  ScadReadOptions options;
+  options.most_literals = most_literals;
+  auto tree = tree_from_scad(*text, path.string(), options, run);
   if (tree || tree.error().code != ErrorCode::NotFound) return tree;
-  return read_flattened(path, tree.error(), run);
+  return read_flattened(path, tree.error(), options, run);
 }
 
 }  // namespace hewn

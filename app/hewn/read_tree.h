@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/base/run_context.h"
 #include "core/csg/tree.h"
+#include "core/io/scad_read/scad_tree.h"
 
 namespace hewn {
 
@@ -12,6 +13,7 @@ namespace hewn {
 /// by the installed program openscad, and what is no primitive (hull, text, ...) rendered by it.
 /// Fails with: FileNotFound, InvalidArgument (another extension), Format and TooLarge (with line
 /// and column), NotFound (the program is needed and not there), Cancelled.
-Result<Tree> read_tree_file(const std::filesystem::path& path, const RunContext& run);
+Result<Tree> read_tree_file(const std::filesystem::path& path, const RunContext& run,
+                            int most_literals = ScadReadOptions{}.most_literals);
 
 }  // namespace hewn

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_set>
 #include <utility>
 
@@ -131,6 +132,8 @@ Vec3 point_in(const Box3& box, Rng& rng) {
 }
 
 constexpr int kLinesPerChunk = 200;
+/// Pairs of planes looked at for each whose common line meets both literals.
+constexpr std::size_t kTriesPerCrossing = 8;
 
 /// Through two random points of a literal's box, or of the common box.
 void walk_volume(const Scene& scene, std::size_t chunk, Finds& finds) {
@@ -179,56 +182,88 @@ std::vector<std::pair<int, int>> neighbours_of(const Arrangement& arrangement, s
   return pairs;
 }
 
-/// Two planes of different literals.
+/// The common line of two planes of different literals.
 struct Crossing {
   const FacePlane* p;
   const FacePlane* q;
+  Vec3 along;  ///< not of length 1: its square is that of the sine between the planes
+
+  /// A point at these distances from the planes, along their normals.
+  Vec3 point(double beyond_p, double beyond_q) const {
+    const double at_p = p->normal.dot(p->point) + beyond_p;
+    const double at_q = q->normal.dot(q->point) + beyond_q;
+    return (at_p * q->normal.cross(along) + at_q * along.cross(p->normal)) / along.squaredNorm();
+  }
 };
 
-/// All pairs of planes of neighbours when they are few, else random ones.
+bool line_meets(const Box3& box, double margin, const Vec3& point, const Vec3& direction) {
+  double enter = -kInfinity;
+  double leave = kInfinity;
+  for (int k = 0; k < 3; ++k) {
+    const double a = (box.lo[k] - margin - point[k]) / direction[k];
+    const double b = (box.hi[k] + margin - point[k]) / direction[k];
+    if (std::isnan(a) || std::isnan(b)) continue;  // within a side's plane
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return enter <= leave;
+}
+
+/// Nothing when the planes are parallel or their line passes one of the literals by.
+std::optional<Crossing> crossing_of(const Arrangement& arrangement, std::pair<int, int> literals,
+                                    const FacePlane& p, const FacePlane& q) {
+  const Crossing crossing{&p, &q, p.normal.cross(q.normal)};
+  if (crossing.along.squaredNorm() < 1e-10) return std::nullopt;
+  const Vec3 point = crossing.point(0, 0);
+  for (const int k : {literals.first, literals.second}) {
+    const LiteralBounds& bounds = arrangement.bounds[static_cast<std::size_t>(k)];
+    const double margin = 2 * arrangement.resolution;
+    if (!line_meets(bounds.box, margin, point, crossing.along)) return std::nullopt;
+  }
+  return crossing;
+}
+
+/// All pairs of planes of neighbours that meet when they are few, else random ones.
 std::vector<Crossing> crossings_of(const Scene& scene, std::size_t most) {
+  const auto planes_of_literal = [&](int k) -> const std::vector<FacePlane>& {
+    return scene.planes[static_cast<std::size_t>(k)];
+  };
   std::size_t count = 0;
   for (const auto& [a, b] : scene.neighbours) {
-    count += scene.planes[static_cast<std::size_t>(a)].size() *
-             scene.planes[static_cast<std::size_t>(b)].size();
+    count += planes_of_literal(a).size() * planes_of_literal(b).size();
   }
   std::vector<Crossing> out;
-  if (count <= most) {
-    for (const auto& [a, b] : scene.neighbours) {
-      for (const FacePlane& p : scene.planes[static_cast<std::size_t>(a)]) {
-        for (const FacePlane& q : scene.planes[static_cast<std::size_t>(b)]) {
-          out.push_back({&p, &q});
-        }
+  const auto offer = [&](std::pair<int, int> pair, const FacePlane& p, const FacePlane& q) {
+    if (const auto crossing = crossing_of(scene.arrangement, pair, p, q)) out.push_back(*crossing);
+  };
+  if (count <= kTriesPerCrossing * most) {
+    for (const auto& pair : scene.neighbours) {
+      for (const FacePlane& p : planes_of_literal(pair.first)) {
+        for (const FacePlane& q : planes_of_literal(pair.second)) offer(pair, p, q);
       }
     }
-    return out;
+    if (out.size() <= most) return out;
+    out.clear();
   }
   Rng rng(scene.seed ^ 0xC0FFEE, 0);
-  for (std::size_t i = 0; i < most; ++i) {
-    const auto& [a, b] = scene.neighbours[rng.below(scene.neighbours.size())];
-    const auto& of_a = scene.planes[static_cast<std::size_t>(a)];
-    const auto& of_b = scene.planes[static_cast<std::size_t>(b)];
+  for (std::size_t i = 0; i < kTriesPerCrossing * most && out.size() < most; ++i) {
+    const auto& pair = scene.neighbours[rng.below(scene.neighbours.size())];
+    const auto& of_a = planes_of_literal(pair.first);
+    const auto& of_b = planes_of_literal(pair.second);
     if (of_a.empty() || of_b.empty()) continue;
     const FacePlane& p = of_a[rng.below(of_a.size())];
     const FacePlane& q = of_b[rng.below(of_b.size())];
-    out.push_back({&p, &q});
+    offer(pair, p, q);
   }
   return out;
 }
 
 /// Along the common line of two planes, in all four wedges.
 void walk_crossing(const Scene& scene, const Crossing& crossing, Walker& walker) {
-  const FacePlane& p = *crossing.p;
-  const FacePlane& q = *crossing.q;
-  const Vec3 along = p.normal.cross(q.normal);
-  const double sine2 = along.squaredNorm();
-  if (sine2 < 1e-10) return;
+  const double side = scene.arrangement.resolution;
+  const Vec3 direction = crossing.along.normalized();
   for (int k = 0; k < 4; ++k) {
-    const double side = scene.arrangement.resolution;
-    const double at_p = p.normal.dot(p.point) + ((k & 1) ? side : -side);
-    const double at_q = q.normal.dot(q.point) + ((k & 2) ? side : -side);
-    const Vec3 point = (at_p * q.normal.cross(along) + at_q * along.cross(p.normal)) / sine2;
-    walker.line({point, along / std::sqrt(sine2)});
+    walker.line({crossing.point((k & 1) ? side : -side, (k & 2) ? side : -side), direction});
   }
 }
 

@@ -9,6 +9,7 @@
 #include "core/csg/tree.h"
 #include "core/sample/arrangement.h"
 #include "core/sample/equivalence.h"
+#include "core/sample/point_sets.h"
 #include "core/synth/remaining_solid.h"
 #include "core/synth/simplify/redundancy.h"
 #include "core/synth/thin_features.h"
@@ -44,6 +45,8 @@ struct OptimiseOptions {
   bool rebuilds = true;
   int effort = 1;   ///< of the search: steps in units of the default
   int rounds = 12;  ///< of search and check; counterexamples join the cells between them
+  /// Where the search starts; lines along the faces have the last word in any case.
+  CellSampling cells = CellSampling::Lines;
   ArrangementOptions arrangement = {};
   EquivalenceOptions equivalence = {};
   RemainingOptions remaining = {};

@@ -127,7 +127,8 @@ class TreeBuilder {
   int literal(const ScadNode& n, const Literal& s, const Place& place) {
     if (static_cast<int>(tree_.literals.size()) >= options_.most_literals) {
       fail(ErrorCode::TooLarge, n,
-           fmt::format("the design has more than {} solids; divide it", options_.most_literals));
+           fmt::format("the design has more than {} primitives, which are too many here; divide it",
+                       options_.most_literals));
       return kNothing;
     }
     const Literal there = transformed(s, place.map);

@@ -80,6 +80,27 @@ TEST_CASE("random trees keep their solid and never grow, whatever the method") {
   CHECK(smaller > 100);
 }
 
+TEST_CASE("wherever the search starts, the solid stays") {
+  Rng rng(22);
+  testing::TreeShape shape;
+  shape.depth = 3;
+  OptimiseOptions options;
+  options.equivalence.points = 2'000;
+  options.equivalence.smallest_cell = 1.0 / 16;
+  options.rebuilds = false;
+  for (int i = 0; i < 16; ++i) {
+    const Tree tree = testing::random_tree(rng, shape);
+    options.method = i % 4 < 2 ? OptimiseMethod::Rewrite : OptimiseMethod::Dominant;
+    for (const CellSampling cells : {CellSampling::Octree, CellSampling::Grid}) {
+      options.cells = cells;
+      CAPTURE(i);
+      const OptimiseResult result = optimised(tree, options);
+      REQUIRE(result.after.size <= result.before.size);
+      check_same(tree, result.tree, rng, 200);
+    }
+  }
+}
+
 TEST_CASE("what the authors' program gets wrong") {
   const Literal a = box({0, 0, 0}, {2, 2, 2});
   const auto two = [](Op op, const Literal& l, const Literal& r) {
