@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace {
 constexpr double kParallel = 1e-9;  ///< of unit vectors: sine of the angle between them
 constexpr double kCoplanar = 2e-6;  ///< share of the diagonal
 constexpr double kNudge = 1e-5;     ///< share of the diagonal: ten times what is rounded, or more
+constexpr int kMostLevels = 4;      ///< faces above each other in one plane
 constexpr int kProbes = 9;          ///< per direction of a face, for its overlap with another
 
 /// Whether each axis of one frame is one of the other, up to sign.
@@ -22,13 +24,20 @@ bool is_same_frame(const Mat3& a, const Mat3& b) {
   return cosines.colwise().maxCoeff().minCoeff() > 1 - 1e-12;
 }
 
+/// Whether all flat ends of the literal are at right angles to an axis of the frame. Round literals
+/// have no direction but their axis.
+bool is_along(const Literal& literal, const Mat3& frame) {
+  if (literal.kind == SolidKind::Box) return is_same_frame(literal.rotation, frame);
+  return (frame.transpose() * literal.rotation.col(2)).cwiseAbs().maxCoeff() > 1 - 1e-12;
+}
+
 /// The axes of most literals.
 Mat3 main_frame(const std::vector<Literal>& literals) {
   Mat3 best = Mat3::Identity();
   std::ptrdiff_t most = 0;
   for (const Literal& candidate : literals) {
     const auto count = std::count_if(literals.begin(), literals.end(), [&](const Literal& l) {
-      return is_same_frame(l.rotation, candidate.rotation);
+      return is_along(l, candidate.rotation);
     });
     if (count <= most) continue;
     most = count;
@@ -44,6 +53,7 @@ struct Face {
   int side = -1;  ///< from this corner of a prism to the next; -1: the end
 
   bool is_turned = false;  ///< not along the main axes
+  int level = 0;           ///< how often it is moved out
 
   bool is_side() const { return side >= 0; }
   /// The corners of a prism are rounded wherever it lies.
@@ -92,6 +102,14 @@ bool is_on(const Literal& literal, const Face& face, const Vec3& point) {
   return along >= 0 && along <= 1 && p.z() >= 0 && p.z() <= literal.height;
 }
 
+/// Of two faces in one plane, the one that has to lie further out: beyond the other, or, back to
+/// back with it, into the other's literal.
+struct Order {
+  std::size_t decides = 0;
+  std::size_t yields = 0;
+  bool is_same_side = true;
+};
+
 /// The operation that joins two leaves, and which of them it takes away.
 struct Meeting {
   Op op = Op::Union;
@@ -108,20 +126,29 @@ class Separation {
     if (!std::isfinite(diagonal_) || !(diagonal_ > 0)) return tree_;
     nudge_ = std::pow(10, std::floor(std::log10(kNudge * diagonal_)));
     parent_.assign(tree_.nodes.size(), -1);
+    is_new_.assign(tree_.literals.size(), true);
     collect(tree_.root);
     for (std::size_t a = 0; a < faces_.size(); ++a) {
-      for (std::size_t b = a + 1; b < faces_.size(); ++b) separate(faces_[a], faces_[b]);
+      for (std::size_t b = a + 1; b < faces_.size(); ++b) {
+        if (const auto order = order_of(a, b)) orders_.push_back(*order);
+      }
     }
+    settle_levels();
+    for (const Face& face : faces_) move_out(face);
     return std::move(tree_);
   }
 
  private:
   Literal& literal_of(const Face& f) { return tree_.literals[tree_.nodes[f.node].literal]; }
+  const Literal& literal_of(const Face& f) const {
+    return tree_.literals[tree_.nodes[f.node].literal];
+  }
 
   /// The faces below a node, and everyone's parent.
   void collect(int index) {
     const Node& node = tree_.nodes[index];
-    if (node.op == Op::Literal) {
+    if (node.op == Op::Literal && is_new_[node.literal]) {
+      is_new_[node.literal] = false;
       const Literal& literal = tree_.literals[node.literal];
       for (const FlatEnd end : flat_ends(literal)) add_face({index, end});
       const bool is_prism = literal.kind == SolidKind::Prism && !literal.stretch;
@@ -139,35 +166,56 @@ class Separation {
     faces_.push_back(face);
   }
 
-  void separate(const Face& a, const Face& b) {
-    if (!a.is_rounded() && !b.is_rounded()) return;
-    if (a.node == b.node || (a.is_side() && b.is_side())) return;
+  std::optional<Order> order_of(std::size_t first, std::size_t second) const {
+    const Face& a = faces_[first];
+    const Face& b = faces_[second];
+    if (!a.is_rounded() && !b.is_rounded()) return std::nullopt;
+    if (a.node == b.node || (a.is_side() && b.is_side())) return std::nullopt;
     const Literal& l = literal_of(a);
     const Literal& m = literal_of(b);
     const Vec3 normal = normal_of(l, a);
     const Vec3 other = normal_of(m, b);
-    if (normal.cross(other).norm() > kParallel) return;
+    if (normal.cross(other).norm() > kParallel) return std::nullopt;
     const bool is_same_side = normal.dot(other) > 0;
     const double gap = offset_of(l, a) - offset_of(m, b) * (is_same_side ? 1 : -1);
-    if (std::abs(gap) > kCoplanar * diagonal_) return;
+    if (std::abs(gap) > kCoplanar * diagonal_) return std::nullopt;
     const Meeting meeting = meeting_of(a.node, b.node);
     // Solid and void on one side of the plane, or equals back to back, leave nothing at the plane.
-    if (is_same_side == (meeting.takes_first == meeting.takes_second)) return;
-    if (!overlap(l, a, m, b) && !overlap(m, b, l, a)) return;
+    if (is_same_side == (meeting.takes_first == meeting.takes_second)) return std::nullopt;
+    if (!overlap(l, a, m, b) && !overlap(m, b, l, a)) return std::nullopt;
     // Solids decide in a union, tools in the other operations.
     const bool tools_decide = meeting.op != Op::Union;
-    const bool first_decides = meeting.takes_first == tools_decide;
-    if (!first_decides && meeting.takes_second != tools_decide) return;
-    const Face& decides = first_decides ? a : b;
-    const Face& yields = first_decides ? b : a;
-    if (!decides.is_side()) return move(decides, nudge_);
-    // A prism's side stays: what decides as much as the prism moves out, what it takes away in.
-    const bool both_decide = meeting.takes_first == meeting.takes_second;
-    move(yields, both_decide ? nudge_ : -nudge_);
+    if (meeting.takes_first == tools_decide) return Order{first, second, is_same_side};
+    if (meeting.takes_second == tools_decide) return Order{second, first, is_same_side};
+    return std::nullopt;
   }
 
-  void move(const Face& face, double amount) {
-    const Literal moved = with_moved_end(literal_of(face), face.end, amount);
+  /// What decides over a face that was moved has to move further.
+  void settle_levels() {
+    bool is_settled = false;
+    for (int pass = 0; pass < kMostLevels && !is_settled; ++pass) {
+      is_settled = true;
+      for (const Order& order : orders_) is_settled = !raise(order) && is_settled;
+    }
+  }
+
+  /// A prism's side stays: what yields to it moves in, what meets its back moves out.
+  bool raise(const Order& order) {
+    Face& decides = faces_[order.decides];
+    Face& yields = faces_[order.yields];
+    const int least = 1 + (order.is_same_side ? yields.level : -yields.level);
+    if (decides.level >= least) return false;
+    if (!decides.is_side()) {
+      decides.level = least;
+    } else {
+      yields.level = order.is_same_side ? -1 : 1;
+    }
+    return true;
+  }
+
+  void move_out(const Face& face) {
+    if (face.level == 0) return;
+    const Literal moved = with_moved_end(literal_of(face), face.end, face.level * nudge_);
     if (is_valid_flat(moved)) literal_of(face) = moved;
   }
 
@@ -205,7 +253,9 @@ class Separation {
   Mat3 main_;
   double nudge_ = 0;
   std::vector<int> parent_;
+  std::vector<bool> is_new_;  ///< by literal, while faces are collected
   std::vector<Face> faces_;
+  std::vector<Order> orders_;
 };
 
 }  // namespace

@@ -8,7 +8,8 @@ namespace hewn {
 /// tool's that ends flush with what it cuts, or two abutting solids'. Modellers round the corners
 /// of turned literals, so such faces miss each other by a rounding error and leave sheets or cracks
 /// as large as the faces. Of each two, the face that decides is moved out of its literal by a round
-/// amount of at most 1e-5 of the diagonal, so that solids overlap and tools reach through. Faces
+/// amount of at most 1e-5 of the diagonal, so that solids overlap and tools reach through; of more,
+/// one beyond the other. Faces
 /// parallel to the tree's main axes (those of most literals) have equal coordinates and stay,
 /// unless they meet the side of a prism; what meets such a side moves, out or in, since the side
 /// cannot. Cost: O(literals^2) comparisons of planes.

@@ -302,15 +302,15 @@ class TreeRebuilder::Search {
     return true;
   }
 
-  /// Fewer starts for what takes long to search; it is rewritten afterwards.
+  /// The more starts the less each of them takes; what they find is rewritten afterwards.
   ListSearchOptions list_options() const {
-    constexpr double kFullEffortWork = 3000;  // halfspaces x words
-    constexpr int kFewStarts = 3;
+    constexpr double kFullEffortWork = 6000;  // halfspaces x words
+    constexpr int kFewest = 3;                // starts, and states of a beam
     ListSearchOptions list = options_.list;
-    if (static_cast<double>(columns_->halfspaces() * columns_->words()) > kFullEffortWork) {
-      list.starts = std::min(list.starts, kFewStarts);
-      list.beam_width = std::min(list.beam_width, kFewStarts);
-    }
+    const auto work = static_cast<double>(columns_->halfspaces() * columns_->words());
+    const int affordable = static_cast<int>(list.starts * std::min(2.0, kFullEffortWork / work));
+    list.starts = std::max(affordable, kFewest);
+    if (affordable < kFewest) list.beam_width = kFewest;
     return list;
   }
 

@@ -1,5 +1,7 @@
 #include "core/csg/turned_faces.h"
 
+#include <vector>
+
 #include <doctest/doctest.h>
 
 #include "core/base/math.h"
@@ -64,6 +66,44 @@ TEST_CASE("a solid put back over a turned cut covers the cut's end") {
   const Tree apart = with_turned_faces_apart(f.tree);
   CHECK(f.literal(apart, plug).size.x() == 1.0001);
   CHECK(f.literal(apart, tool).size == Vec3(2, 4, 4));
+}
+
+TEST_CASE("what cuts over a face that was moved reaches further still") {
+  Fixture f;
+  const int bar = f.tree.add_literal(box({0, 0, 0}, {4, 2, 2}, f.turn));
+  const int tool = f.tree.add_literal(box({1, -1, -1}, {3, 3, 3}, f.turn));
+  const int cut = f.tree.add_node(Op::Difference, {bar, tool});
+  const int plug = f.tree.add_literal(box({2, 0, 0}, {3, 2, 2}, f.turn));
+  const int mended = f.tree.add_node(Op::Union, {cut, plug});
+  const int bore = f.tree.add_literal(box({2.5, 0.5, -1}, {3, 1.5, 3}, f.turn));
+  const int bored = f.tree.add_node(Op::Difference, {mended, bore});
+  const int fourth = f.tree.add_literal(box({-5, -5, -6}, {5, 5, -5}));
+  const int fifth = f.tree.add_literal(box({-5, -5, -7}, {5, 5, -6}));
+  f.tree.root = f.tree.add_node(Op::Union, {f.plate, f.second, f.third, fourth, fifth, bored});
+  const Tree apart = with_turned_faces_apart(f.tree);
+  CHECK(f.literal(apart, plug).size.x() == doctest::Approx(1.0001).epsilon(1e-9));
+  CHECK(f.literal(apart, bore).size.x() == doctest::Approx(0.5002).epsilon(1e-9));
+  CHECK(f.literal(apart, tool).size == Vec3(2, 4, 4));
+}
+
+TEST_CASE(
+    "round literals count for the frame of the boxes, however they are turned about their axes") {
+  Fixture f;
+  const int a = f.tree.add_literal(box({0, 0, 0}, {2, 2, 2}));
+  const int b = f.tree.add_literal(box({2, 0, 0}, {3, 2, 2}));
+  std::vector<int> parts{f.plate, f.second, f.third, a, b};
+  for (int k = 0; k < 9; ++k) {
+    Literal pin;
+    pin.kind = SolidKind::Cylinder;
+    pin.rotation = f.turn;
+    pin.radius = pin.top_radius = 0.1;
+    pin.height = 1;
+    parts.push_back(f.tree.add_literal(pin));
+  }
+  f.tree.root = f.tree.add_node(Op::Union, parts);
+  const Tree apart = with_turned_faces_apart(f.tree);
+  CHECK(f.literal(apart, a).size == Vec3(2, 2, 2));
+  CHECK(f.literal(apart, b).size == Vec3(1, 2, 2));
 }
 
 TEST_CASE("faces along the main axes, apart, or side by side stay") {
