@@ -73,5 +73,6 @@ if(HEWN_SANITIZER)
       "TSAN_OPTIONS=suppressions=${suppressions}/tsan.supp ignore_noninstrumented_modules=1"
       "LSAN_OPTIONS=suppressions=${suppressions}/lsan.supp print_suppressions=0"
       "ASAN_OPTIONS=detect_stack_use_after_return=1"
-      "UBSAN_OPTIONS=print_stacktrace=1")
+      "UBSAN_OPTIONS=print_stacktrace=1"
+      "HEWN_KEY_DELAY=400")
 endif()

@@ -14,7 +14,9 @@ bool is_installed(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');) {
-    if (!folder.empty() && ::access((folder + "/" + program).c_str(), X_OK) == 0) return true;
+    if (folder.empty()) continue;
+    const std::filesystem::path file = std::filesystem::path(folder) / program;
+    if (::access(file.c_str(), X_OK) == 0) return true;
   }
   return false;
 }
@@ -41,7 +43,7 @@ std::filesystem::path sample_part() {
   std::error_code ignored;
   const auto folder = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
   for (const char* place : {"../share/hewn/bracket.off", "../../assets/bracket.off"}) {
-    const auto file = (folder / place).lexically_normal();
+    auto file = (folder / place).lexically_normal();
     if (std::filesystem::is_regular_file(file, ignored)) return file;
   }
   return {};

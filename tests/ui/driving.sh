@@ -26,6 +26,7 @@ fail() {
 state() { sed -n 's/.*"'"$1"'":\("[^"]*"\|[^,}]*\).*/\1/p' "$folder/status.json" | tr -d '"'; }
 is() { [ "$(state "$1")" = "$2" ]; }
 at_least() { [ "$(state "$1")" -ge "$2" ]; }
+is_picked() { [ -n "$(state picked)" ]; }
 is_idle() { is busy false && is is_rough false; }
 begins() { case "$(state "$1")" in "$2"*) return 0 ;; *) return 1 ;; esac; }
 # until_true WHAT COMMAND...: waits up to three minutes.
@@ -39,7 +40,16 @@ until_true() {
   done
   fail "waited in vain: $what"
 }
-key() { xdotool key --delay 60 "$@"; }
+# soon COMMAND...: whether it comes true within some slow frames, as sanitizers make them.
+soon() {
+  for _ in $(seq 15); do
+    if "$@" 2>/dev/null; then return 0; fi
+    sleep 0.1
+  done
+  return 1
+}
+# A key that is down for less than a frame is not seen: sanitizers make frames long.
+key() { xdotool key --delay "${HEWN_KEY_DELAY:-60}" "$@"; }
 click() {
   xdotool mousemove "$1" "$2"
   sleep 0.3

@@ -36,10 +36,9 @@ for mesh in "$@"; do
   # A literal of the outline: the rest fades.
   for y in $(seq 290 17 600); do
     click 1150 "$y"
-    sleep 0.2
-    if [ -n "$(state picked)" ]; then break; fi
+    if soon is_picked; then break; fi
   done
-  [ -n "$(state picked)" ] || fail "no literal in the outline"
+  is_picked || fail "no literal in the outline"
   both "$name-picked"
   key c
   both "$name-section"
