@@ -316,10 +316,10 @@ void add_show_actions(std::vector<Action>& out) {
 }
 
 const char* key_name(int key) {
-  static const char* const kLetters[] = {"A", "B", "C", "D", "E", "F", "G", "H", "I",
-                                         "J", "K", "L", "M", "N", "O", "P", "Q", "R",
-                                         "S", "T", "U", "V", "W", "X", "Y", "Z"};
-  static const char* const kDigits[] = {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"};
+  static constexpr const char* kLetters[] = {"A", "B", "C", "D", "E", "F", "G", "H", "I",
+                                             "J", "K", "L", "M", "N", "O", "P", "Q", "R",
+                                             "S", "T", "U", "V", "W", "X", "Y", "Z"};
+  static constexpr const char* kDigits[] = {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"};
   if (key >= 'A' && key <= 'Z') return kLetters[key - 'A'];
   if (key >= '0' && key <= '9') return kDigits[key - '0'];
   switch (key) {

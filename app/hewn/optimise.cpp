@@ -1,7 +1,6 @@
 #include "core/synth/optimise.h"
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <mutex>
 
@@ -32,14 +31,12 @@ struct OptimiseFlags {
 constexpr const char* kMethods[] = {"redundancy", "rewrite",   "dominant",  "quine-mccluskey",
                                     "espresso",   "set-cover", "annealing", "genetic"};
 
-const std::map<std::string, CellSampling> kCellSamplings = {
-    {"lines", CellSampling::Lines}, {"octree", CellSampling::Octree}, {"grid", CellSampling::Grid}};
+/// In the order of `CellSampling`.
+constexpr const char* kCellSamplings[] = {"lines", "octree", "grid"};
 
-OptimiseMethod method_of(const std::string& name) {
-  for (std::size_t i = 0; i < std::size(kMethods); ++i) {
-    if (name == kMethods[i]) return static_cast<OptimiseMethod>(i);
-  }
-  return OptimiseMethod::Rewrite;
+template <std::size_t N>
+std::size_t index_of(const std::string& name, const char* const (&names)[N]) {
+  return static_cast<std::size_t>(std::find(names, names + N, name) - names);
 }
 
 const char* name_of(SolidExtent extent) {
@@ -190,8 +187,8 @@ ExitCode run_optimise(const OptimiseFlags& flags, Environment& environment) {
   const auto tree = read_tree_file(flags.input, environment.run, kMostOptimisedLiterals);
   if (!tree) return environment.fail(with_input(tree.error(), flags.input));
   OptimiseOptions options;
-  options.method = method_of(flags.method);
-  options.cells = kCellSamplings.at(flags.cells);
+  options.method = static_cast<OptimiseMethod>(index_of(flags.method, kMethods));
+  options.cells = static_cast<CellSampling>(index_of(flags.cells, kCellSamplings));
   options.tolerance = flags.tolerance;
   options.effort = flags.effort;
   options.derives_primitives = !flags.keeps_primitives;
@@ -241,7 +238,8 @@ void add_optimise(CLI::App& app, RunFlags& run_flags, Command& chosen) {
       ->add_option("--cells", flags->cells,
                    "where the search starts: lines along all faces, or the published octree or "
                    "grid, whose results may take more rounds to get right [lines]")
-      ->check(CLI::IsMember({"lines", "octree", "grid"}));
+      ->check(CLI::IsMember(
+          std::vector<std::string>(std::begin(kCellSamplings), std::end(kCellSamplings))));
   command
       ->add_option("--weights", flags->weights,
                    "of geometry, proximity and size in the genetic search [50,1,10]")

@@ -17,7 +17,7 @@ namespace hewn {
 struct Arrangement {
   std::vector<Literal> literals;
   std::vector<LiteralBounds> bounds;  ///< of each literal
-  std::size_t stride = 0;    ///< words per signature
+  std::size_t stride = 0;             ///< words per signature
   std::vector<Vec3> points;
   std::vector<Word> signatures;  ///< bit k: the cell's point is inside literal k
   double scale = 1;              ///< the length to which tolerances relate

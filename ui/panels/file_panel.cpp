@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cctype>
-#include <set>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -20,8 +20,8 @@ struct Entry {
 };
 
 bool is_readable_kind(const std::filesystem::path& path) {
-  static const std::set<std::string> kKnown = {".off", ".stl", ".obj", ".ply", ".json"};
-  return kKnown.contains(lower_extension(path));
+  static constexpr const char* kKnown[] = {".off", ".stl", ".obj", ".ply", ".json"};
+  return std::find(std::begin(kKnown), std::end(kKnown), lower_extension(path)) != std::end(kKnown);
 }
 
 std::vector<Entry> list_folder(const FileRequest& file) {

@@ -13,8 +13,6 @@ namespace {
 
 /// Halfspaces x words of a problem that is still searched with full effort.
 constexpr double kFullEffortWork = 2000;
-/// Of a full walk: the first refinement of each construction.
-constexpr int kFirstShare = 4;
 
 void keep_cheapest(std::vector<FoundList>& lists, std::size_t count) {
   std::stable_sort(lists.begin(), lists.end(),
@@ -59,8 +57,8 @@ std::optional<FoundList> ListSearch::construct(const Progress& progress) {
     o.noise = i < 2 ? 0.15 : 0.4;
     std::optional<DecisionList> list = construct_list(space, o, grower, rng, run_);
     if (list) {
-      grown[i] =
-          improve_list(space, walk_options(*list, kFirstShare), *list, rng, run_).terms_grown;
+      grown[i] = improve_list(space, walk_options(*list, options_.first_share), *list, rng, run_)
+                     .terms_grown;
       found[i] = FoundList{std::move(*list), clip};
     }
     grown[i] += grower.terms_grown();
@@ -74,7 +72,7 @@ std::optional<FoundList> ListSearch::construct(const Progress& progress) {
   if (lists.empty()) return std::nullopt;
   // Successive halving: fewer and fewer, for longer and longer; in pairs, which two threads share.
   int task = 100;
-  for (int share = kFirstShare; share >= 1; share /= 2) {
+  for (int share = options_.first_share; share >= 1; share /= 2) {
     keep_cheapest(lists, (lists.size() + 3) / 4 * 2);
     refine(task, share, lists);
     task += 100;

@@ -26,6 +26,7 @@ struct ListSearchOptions {
   int starts = 6;
   int beam_width = 6;
   int neighbourhood_steps = 2500;  ///< stop after this many without improvement
+  int first_share = 4;             ///< of a full walk: the first one of each construction
   int regrow_tries = 10;
   bool may_clip = true;  ///< every other start is asked about the frame's box only
 };

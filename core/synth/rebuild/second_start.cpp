@@ -6,17 +6,22 @@
 namespace hewn {
 namespace {
 
-/// What is found is rewritten afterwards, so that less of a search does than for reconstruction.
+/// What is found is rewritten afterwards, so that less of a search does than for reconstruction:
+/// more starts, each for a shorter time. The freedom of a depth is worth more of them.
 constexpr int kStarts = 8;
+constexpr int kExactStarts = 4;
 constexpr int kBeam = 6;
+constexpr int kExactBeam = 4;
+constexpr int kFirstShare = 8;
 /// Of answers that are refuted; each mends the one before.
 constexpr int kMostRounds = 24;
 
 RebuildOptions options_for(double depth) {
   RebuildOptions options;
   options.depth = depth;
-  options.list.starts = kStarts;
-  options.list.beam_width = kBeam;
+  options.list.starts = depth > 0 ? kStarts : kExactStarts;
+  options.list.beam_width = depth > 0 ? kBeam : kExactBeam;
+  options.list.first_share = kFirstShare;
   return options;
 }
 

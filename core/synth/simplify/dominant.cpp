@@ -80,11 +80,12 @@ Decomposition decompose(Formula formula, const CellColumns& cells, const Column&
 }
 
 Formula recomposed(const Decomposition& decomposition, Formula rest) {
-  for (auto step = decomposition.steps.rbegin(); step != decomposition.steps.rend(); ++step) {
+  for (std::size_t k = decomposition.steps.size(); k-- > 0;) {
+    const DominantStep& step = decomposition.steps[k];
     std::vector<Formula> parts;
     parts.push_back(std::move(rest));
-    parts.push_back(Formula::leaf(step->literal, step->is_negated));
-    rest = Formula::join(step->is_union ? Kind::Or : Kind::And, std::move(parts));
+    parts.push_back(Formula::leaf(step.literal, step.is_negated));
+    rest = Formula::join(step.is_union ? Kind::Or : Kind::And, std::move(parts));
   }
   return normalised(std::move(rest));
 }

@@ -29,7 +29,10 @@ class CellColumns {
   int literals() const { return static_cast<int>(columns_.size()); }
   const Column& column(int literal) const { return columns_[static_cast<std::size_t>(literal)]; }
   const Column& all() const { return all_; }
-  Column empty() const { return Column(words(), 0); }
+  Column empty() const {
+    Column none(words(), 0);
+    return none;
+  }
 
  private:
   std::size_t cells_ = 0;
