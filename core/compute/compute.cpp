@@ -47,7 +47,7 @@ void Compute::choose(DeviceChoice choice) {
 
 Result<void> Compute::run(double cpu_seconds, const RunContext& context, const Job& job) {
   if (Device* device = accelerator(cpu_seconds, context)) {
-    const Result<void> done = job(*device);
+    Result<void> done = job(*device);
     const bool is_its_fault = !done && (done.error().code == ErrorCode::Device ||
                                         done.error().code == ErrorCode::OutOfMemory);
     if (!is_its_fault) {

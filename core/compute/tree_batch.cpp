@@ -135,7 +135,7 @@ Result<void> MeasuredRows::measure(Device& device, const TreeBatch& batch,
     if (!is_resident) resident_ = upload_part(job, begin, part.words);
     if (job.has_failed()) return job.result();
     part.bits = resident_.data();
-    const Result<void> done = measure_part(device, batch, part, counts, overlaps, run);
+    Result<void> done = measure_part(device, batch, part, counts, overlaps, run);
     if (part.words != words_) resident_ = {};
     if (!done) return done;
   }

@@ -51,7 +51,7 @@ Vec3 SurfaceField::gradient(const Vec3& x) const {
     return unit_or(x - s.point, (x - s.point).norm(), [] { return Vec3(Vec3::UnitZ()); });
   }
   const AxisCoordinates c = about_axis(s, x);
-  const Vec3 outward = unit_or(c.outward, c.radial, [&] { return tangents(s.axis).u; });
+  Vec3 outward = unit_or(c.outward, c.radial, [&] { return tangents(s.axis).u; });
   if (s.kind == SurfaceKind::Cylinder) return outward;
   if (s.kind == SurfaceKind::Cone) return outward * form_.first - s.axis * form_.second;
   const Vec3 from_tube = outward * (c.radial - s.major_radius) + s.axis * c.height;

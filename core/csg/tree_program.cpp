@@ -61,8 +61,9 @@ class Compiler {
       return at == TreeProgram::kSolid || at == TreeProgram::kEmpty ? at : last - at;
     };
     out.start = turned(out.start);
-    for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
-      out.steps.push_back({step->literal, turned(step->inside), turned(step->outside), 0});
+    for (std::size_t k = steps_.size(); k-- > 0;) {
+      const auto& step = steps_[k];
+      out.steps.push_back({step.literal, turned(step.inside), turned(step.outside), 0});
     }
     return out;
   }

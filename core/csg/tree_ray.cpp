@@ -33,18 +33,24 @@ struct Span {
   void clear() { leave = -kInfinity; }
 };
 
+/// What lies between two parallel faces.
+struct Slab {
+  double lo, hi;
+  int lo_face, hi_face;
+};
+
 /// Narrows to lo <= o + t d <= hi along one coordinate.
-void clip_slab(Span& span, double o, double d, double lo, double hi, int lo_face, int hi_face) {
+void clip_slab(Span& span, double o, double d, const Slab& slab) {
   if (d == 0) {
-    if (o < lo || o > hi) span.clear();
+    if (o < slab.lo || o > slab.hi) span.clear();
     return;
   }
-  const double t_lo = (lo - o) / d;
-  const double t_hi = (hi - o) / d;
+  const double t_lo = (slab.lo - o) / d;
+  const double t_hi = (slab.hi - o) / d;
   if (d > 0) {
-    span.clip(t_lo, lo_face, t_hi, hi_face);
+    span.clip(t_lo, slab.lo_face, t_hi, slab.hi_face);
   } else {
-    span.clip(t_hi, hi_face, t_lo, lo_face);
+    span.clip(t_hi, slab.hi_face, t_lo, slab.lo_face);
   }
 }
 
@@ -179,8 +185,11 @@ struct TreeRays::Ray {
   bool is_nearby = false;  ///< only as far as the scratch memory's ball
   Vec3 inverse;            ///< of the direction; where that is 0 it is not used
 
-  Ray(const Vec3& from, const Vec3& along, bool stays_nearby = false)
-      : origin(from), direction(along), is_nearby(stays_nearby), inverse(along.cwiseInverse()) {}
+  Ray(Vec3 from, Vec3 along, bool stays_nearby = false)
+      : origin(std::move(from)),
+        direction(std::move(along)),
+        is_nearby(stays_nearby),
+        inverse(direction.cwiseInverse()) {}
 
   /// Whether it certainly passes the box by. Generous: bounds are computed apart from the surfaces
   /// that they enclose.
@@ -223,20 +232,20 @@ void TreeRays::append_literal(int literal, const Ray& ray, Intervals& out) const
   switch (shape.kind) {
     case SolidKind::Box:
       for (int k = 0; k < 3; ++k) {
-        clip_slab(span, o[k], d[k], 0, shape.size[k], 2 * k, 2 * k + 1);
+        clip_slab(span, o[k], d[k], {0, shape.size[k], 2 * k, 2 * k + 1});
       }
       add(out, span, literal);
       break;
     case SolidKind::Cylinder:
-      clip_slab(span, o.z(), d.z(), 0, shape.height, 1, 2);
+      clip_slab(span, o.z(), d.z(), {0, shape.height, 1, 2});
       clip_flank(span, o, d, shape.radius, (shape.top_radius - shape.radius) / shape.height);
       add(out, span, literal);
       break;
     case SolidKind::Prism:
-      clip_slab(span, o.z(), d.z(), 0, shape.height, shape.sides, shape.sides + 1);
+      clip_slab(span, o.z(), d.z(), {0, shape.height, shape.sides, shape.sides + 1});
       for (int k = 0; k < shape.sides; ++k) {
         const Vec2 n = prism_side_normal(shape, k);
-        clip_slab(span, n.dot(o.head<2>()), n.dot(d.head<2>()), -kInfinity, shape.radius, k, k);
+        clip_slab(span, n.dot(o.head<2>()), n.dot(d.head<2>()), {-kInfinity, shape.radius, k, k});
       }
       add(out, span, literal);
       break;
