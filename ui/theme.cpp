@@ -51,7 +51,8 @@ void make_digits_tabular(ImFont* font) {
 
 ImFont* add_font(const std::string& text, const std::string& icons, float size) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  static constexpr ImWchar kText[] = {0x20, 0x24F, 0x2010, 0x2027, 0x2190, 0x2193, 0x2200, 0x22FF, 0};
+  static constexpr ImWchar kText[] = {0x20,   0x24F,  0x2010, 0x2027, 0x2190,
+                                      0x2193, 0x2200, 0x22FF, 0};
   static constexpr ImWchar kIcons[] = {0xf000, 0xf2e0, 0};
   ImFont* font = nullptr;
   if (text.empty()) {

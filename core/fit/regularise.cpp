@@ -81,7 +81,7 @@ class SetBuilder {
       h.surface = item.surface;
       h.direction = item.direction;
       set_.halfspaces.push_back(h);
-      groups_.push_back({});
+      groups_.emplace_back();
       sigma_.push_back(item.sigma);
       alike.push_back(found);
       if (item.surface.kind == SurfaceKind::Plane) {

@@ -136,7 +136,7 @@ Vec3 gradient_change(const RowFrame& frame, const LocalPoint& p, const Vec3& gra
   const double radial = std::max(p.radial, 1e-14);
   const double dh = v.axis.dot(p.d) - s.axis.dot(v.point);
   const double dradial = -p.outward.dot(v.point) - p.height * p.outward.dot(v.axis);
-  const Vec3 de =
+  Vec3 de =
       -t * (t.dot(v.point) + p.height * t.dot(v.axis)) / radial - s.axis * p.outward.dot(v.axis);
   if constexpr (K == SurfaceKind::Cylinder) return de;
   if constexpr (K == SurfaceKind::Cone) {

@@ -65,8 +65,8 @@ class Walker {
     events_.clear();
     scene_.rays.cast_literals(from, probe.direction, stretches_);
     for (const TreeInterval& s : stretches_) {
-      events_.push_back({s.enter.t, s.enter.literal});
-      events_.push_back({s.leave.t, s.leave.literal});
+      events_.emplace_back(s.enter.t, s.enter.literal);
+      events_.emplace_back(s.leave.t, s.leave.literal);
     }
     std::sort(events_.begin(), events_.end());
     std::uint64_t key = 0;

@@ -342,7 +342,9 @@ double distance_along_rays(const TreeRays& rays, const Vec3& p, double enough) {
   if (is_nearby && rays.look_around(p, enough, scratch) != Nearby::Surface) return kInfinity;
   double nearest = kInfinity;
   for (int k = 0; k < 27; ++k) {
-    Vec3 d(k % 3 - 1, (k / 3) % 3 - 1, k / 9 - 1);
+    const int layer = k / 9;
+    const int row = k / 3 % 3;
+    Vec3 d(k % 3 - 1, row - 1, layer - 1);
     if (d.squaredNorm() == 0) continue;
     d.normalize();
     const auto& stretches = is_nearby ? rays.cast_nearby(p, d, scratch) : rays.cast(p, d, scratch);

@@ -277,7 +277,7 @@ std::vector<Halfspace> separating_candidates(const SampleSpace& space, SurfaceSe
 
 int add_separating_halfspaces(const SampleSpace& space, SurfaceSet& surfaces, SampleTable& table,
                               Cells& cells, const RunContext& run) {
-  const double points = static_cast<double>(table.size());
+  const auto points = static_cast<double>(table.size());
   const auto share = [&] { return static_cast<double>(cells.conflicting_points()) / points; };
   if (share() < kWorthLooking) return 0;
   const int own_directions = static_cast<int>(surfaces.directions.size());

@@ -23,7 +23,7 @@ void append_face(const TopoDS_Face& face, const Brep& brep, TriangleSoup& soup) 
   const int base = static_cast<int>(soup.vertices.size());
   for (int i = 1; i <= mesh->NbNodes(); ++i) {
     const gp_Pnt p = mesh->Node(i).Transformed(location.Transformation());
-    soup.vertices.push_back(brep.center + Vec3(p.X(), p.Y(), p.Z()) / brep.scale);
+    soup.vertices.emplace_back(brep.center + Vec3(p.X(), p.Y(), p.Z()) / brep.scale);
   }
   for (int i = 1; i <= mesh->NbTriangles(); ++i) {
     int a = 0;

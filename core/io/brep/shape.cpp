@@ -106,7 +106,7 @@ class BrepBuilder {
 
   /// The canonical solid, mapped; OpenCASCADE turns its surfaces into splines.
   Result<TopoDS_Shape> stretched(const Literal& s) const {
-    const Result<TopoDS_Shape> canonical = solid(s, gp_Ax2(), 1);
+    Result<TopoDS_Shape> canonical = solid(s, gp_Ax2(), 1);
     if (!canonical) return canonical;
     const Mat3 m = out_.scale * s.rotation * s.stretch->matrix;
     const Vec3 t = to_shape(s.to_world(Vec3::Zero()));
