@@ -89,7 +89,6 @@ void compare_samplings(const std::string& name, const Tree& tree) {
   LiteralSet set;
   const std::vector<int> literal_of = set.add(tree);
   const double scale = tree.bounds().diagonal();
-  const double step = scale / 64;
   RunContext run;
   ArrangementSampler judge(set.literals(), scale);
   if (!judge.sample({}, run)) return;
@@ -100,9 +99,7 @@ void compare_samplings(const std::string& name, const Tree& tree) {
     const auto start = std::chrono::steady_clock::now();
     ArrangementSampler sampler(set.literals(), scale);
     const Arrangement& a = sampler.arrangement();
-    if (sampling == CellSampling::Lines && !sampler.sample({}, run)) return;
-    if (sampling == CellSampling::Octree) sampler.add(octree_points(a, step, run), run);
-    if (sampling == CellSampling::Grid) sampler.add(grid_points(a, step), run);
+    if (!sample_cells(sampler, sampling, {}, run)) return;
     const double sampled = seconds_since(start);
     const CellColumns cells(a);
     const Decomposition d = decompose(formula_of(tree, literal_of), cells, cells.all(), run);

@@ -315,6 +315,16 @@ void walk_through_volume(const Scene& scene, const RunContext& run, Finds& all) 
 
 }  // namespace
 
+Box3 common_box(const Arrangement& arrangement) {
+  Box3 box;
+  for (const LiteralBounds& b : arrangement.bounds) {
+    if (b.box.is_empty()) continue;
+    box.extend(b.box.lo);
+    box.extend(b.box.hi);
+  }
+  return box;
+}
+
 bool classify(const Arrangement& arrangement, const Vec3& p, Word* signature) {
   std::fill(signature, signature + arrangement.stride, 0);
   for (std::size_t k = 0; k < arrangement.literals.size(); ++k) {
@@ -383,13 +393,14 @@ Result<std::size_t> ArrangementSampler::sample(const ArrangementOptions& options
   Tree tree;
   tree.literals = out_.literals;
   const TreeRays rays(tree);
-  Scene scene{
-      out_, rays, {}, options, run.seed + 977 * options.stream, literal_keys(out_.literals.size()),
-      {},   {}};
-  for (const LiteralBounds& bounds : out_.bounds) {
-    scene.box.extend(bounds.box.lo);
-    scene.box.extend(bounds.box.hi);
-  }
+  Scene scene{out_,
+              rays,
+              common_box(out_),
+              options,
+              run.seed + 977 * options.stream,
+              literal_keys(out_.literals.size()),
+              {},
+              {}};
   for (const Literal& s : out_.literals) scene.planes.push_back(planes_of(s));
   const std::size_t literals = out_.literals.size();
   const std::size_t first = std::min(options.first_literal, literals);

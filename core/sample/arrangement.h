@@ -74,6 +74,9 @@ class ArrangementSampler {
   std::unordered_multimap<std::uint64_t, std::size_t> by_hash_;  // looked up only, never iterated
 };
 
+/// The box around all literals that have bounds.
+Box3 common_box(const Arrangement& arrangement);
+
 /// Which literals hold `p`, into `signature`. False when one of their surfaces is within rounding.
 bool classify(const Arrangement& arrangement, const Vec3& p, Word* signature);
 

@@ -11,6 +11,7 @@
 #include "core/compute/parallel.h"
 #include "core/csg/literal_set.h"
 #include "core/csg/tree_ray.h"
+#include "core/sample/octant.h"
 
 namespace hewn {
 namespace {
@@ -204,12 +205,7 @@ class TreeComparison {
 
   Cell octant(const Cell& parent, int octant) const {
     Cell cell;
-    const Vec3 middle = parent.box.center();
-    for (int i = 0; i < 3; ++i) {
-      const bool is_upper = ((octant >> i) & 1) != 0;
-      cell.box.lo[i] = is_upper ? middle[i] : parent.box.lo[i];
-      cell.box.hi[i] = is_upper ? parent.box.hi[i] : middle[i];
-    }
+    cell.box = octant_of(parent.box, octant);
     cell.depth = parent.depth + 1;
     cell.values = parent.values;
     const double radius = cell.box.diagonal() / 2 * (1 + 1e-9) + kUncertain * scale_;

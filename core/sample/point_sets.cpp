@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/compute/parallel.h"
+#include "core/sample/octant.h"
 
 namespace hewn {
 namespace {
@@ -17,17 +18,6 @@ struct OctreeCell {
   Box3 box;
   std::vector<int> open;
 };
-
-Box3 octant_of(const Box3& box, int octant) {
-  const Vec3 middle = box.center();
-  Box3 part;
-  for (int k = 0; k < 3; ++k) {
-    const bool is_upper = ((octant >> k) & 1) != 0;
-    part.lo[k] = is_upper ? middle[k] : box.lo[k];
-    part.hi[k] = is_upper ? box.hi[k] : middle[k];
-  }
-  return part;
-}
 
 OctreeCell cell_of(const Arrangement& arrangement, const Box3& box, const std::vector<int>& near) {
   OctreeCell cell{box, {}};
@@ -60,16 +50,6 @@ std::vector<Vec3> centers_below(const Arrangement& arrangement, const Box3& root
     level = std::move(next);
   }
   return centers;
-}
-
-Box3 common_box(const Arrangement& arrangement) {
-  Box3 box;
-  for (const LiteralBounds& b : arrangement.bounds) {
-    if (b.box.is_empty()) continue;
-    box.extend(b.box.lo);
-    box.extend(b.box.hi);
-  }
-  return box;
 }
 
 }  // namespace
@@ -106,6 +86,18 @@ std::vector<Vec3> grid_points(const Arrangement& arrangement, double step) {
     }
   }
   return points;
+}
+
+Result<std::size_t> sample_cells(ArrangementSampler& sampler, CellSampling sampling,
+                                 const ArrangementOptions& lines, const RunContext& run) {
+  constexpr double kStep = 1.0 / 64;  // share of the scale
+  if (sampling == CellSampling::Lines) return sampler.sample(lines, run);
+  const Arrangement& a = sampler.arrangement();
+  const double step = kStep * a.scale;
+  const std::size_t added = sampler.add(
+      sampling == CellSampling::Octree ? octree_points(a, step, run) : grid_points(a, step), run);
+  if (run.is_cancelled()) return RunContext::cancelled();
+  return added;
 }
 
 }  // namespace hewn

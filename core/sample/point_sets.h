@@ -27,4 +27,9 @@ std::vector<Vec3> octree_points(const Arrangement& arrangement, double smallest,
 /// Requires: step > 0.
 std::vector<Vec3> grid_points(const Arrangement& arrangement, double step);
 
+/// Adds the cells found in the given way, `lines` being for lines only; the steps of octree and
+/// grid are 1/64 of the scale. Returns how many are new. Fails with: Cancelled.
+Result<std::size_t> sample_cells(ArrangementSampler& sampler, CellSampling sampling,
+                                 const ArrangementOptions& lines, const RunContext& run);
+
 }  // namespace hewn

@@ -135,7 +135,9 @@ class Optimiser {
   Formula input_formula() const { return formula_of(input_, literal_of_); }
 
   Result<void> find_cells() {
-    if (auto done = sample_cells(); !done) return done.error();
+    if (auto done = sample_cells(sampler_, options_.cells, lines_, run_); !done) {
+      return done.error();
+    }
     const CellColumns cells(sampler_.arrangement());
     Formula wanted = input_formula();
     const double diagonal =
@@ -143,21 +145,9 @@ class Optimiser {
     // A box of less than twice the size is not far too large.
     if (diagonal <= 0 || 2 * diagonal > sampler_.arrangement().scale) return {};
     sampler_ = ArrangementSampler(set_.literals(), diagonal);
-    return sample_cells();
-  }
-
-  Result<void> sample_cells() {
-    constexpr double kStep = 1.0 / 64;  ///< of octree and grid, share of the scale
-    const Arrangement& a = sampler_.arrangement();
-    if (options_.cells == CellSampling::Lines) {
-      if (auto done = sampler_.sample(lines_, run_); !done) return done.error();
-      return {};
+    if (auto done = sample_cells(sampler_, options_.cells, lines_, run_); !done) {
+      return done.error();
     }
-    const double step = kStep * a.scale;
-    sampler_.add(options_.cells == CellSampling::Octree ? octree_points(a, step, run_)
-                                                        : grid_points(a, step),
-                 run_);
-    if (run_.is_cancelled()) return RunContext::cancelled();
     return {};
   }
 

@@ -302,7 +302,7 @@ class TreeRebuilder::Search {
     return true;
   }
 
-  /// The more starts the less each of them takes; what they find is rewritten afterwards.
+  /// The less a start takes the more of them; what they find is rewritten afterwards.
   ListSearchOptions list_options() const {
     constexpr double kFullEffortWork = 6000;  // halfspaces x words
     constexpr int kFewest = 3;                // starts, and states of a beam

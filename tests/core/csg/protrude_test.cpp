@@ -3,16 +3,12 @@
 #include <doctest/doctest.h>
 
 #include "random_tree.h"
+#include "tests/core/csg/box.h"
 
 namespace hewn {
 namespace {
 
-Literal box(const Vec3& lo, const Vec3& hi) {
-  Literal s;
-  s.origin = lo;
-  s.size = hi - lo;
-  return s;
-}
+using testing::box;
 
 Literal hole(double from, double to, double bottom, double top) {
   Literal s;

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "core/base/math.h"
+#include "tests/core/csg/box.h"
 
 namespace hewn {
 namespace {
@@ -13,13 +14,7 @@ Mat3 turned_about_z(double angle_rad) {
   return Eigen::AngleAxisd(angle_rad, Vec3::UnitZ()).toRotationMatrix();
 }
 
-Literal box(const Vec3& lo, const Vec3& hi, const Mat3& rotation = Mat3::Identity()) {
-  Literal s;
-  s.rotation = rotation;
-  s.origin = lo;
-  s.size = hi - lo;
-  return s;
-}
+using testing::box;
 
 /// A plate at rest, so large that it sets the main axes together with a second one.
 struct Fixture {

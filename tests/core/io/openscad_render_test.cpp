@@ -6,6 +6,7 @@
 #include "core/csg/literal.h"
 #include "core/io/openscad.h"
 #include "scad_rendering.h"
+#include "tests/core/csg/box.h"
 #include "tests/core/csg/random_tree.h"
 
 namespace hewn {
@@ -15,13 +16,7 @@ Mat3 about(const Vec3& axis, double degrees) {
   return Eigen::AngleAxisd(degrees * kPi / 180, axis).toRotationMatrix();
 }
 
-Literal box(const Vec3& lo, const Vec3& hi, const Mat3& rotation = Mat3::Identity()) {
-  Literal s;
-  s.rotation = rotation;
-  s.origin = lo;
-  s.size = hi - lo;
-  return s;
-}
+using testing::box;
 
 Literal cylinder(const Vec3& base, double radius, double height) {
   Literal s;

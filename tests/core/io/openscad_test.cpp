@@ -5,18 +5,13 @@
 #include <doctest/doctest.h>
 
 #include "core/base/file.h"
+#include "tests/core/csg/box.h"
 #include "tests/core/csg/random_tree.h"
 
 namespace hewn {
 namespace {
 
-Literal box(const Vec3& lo, const Vec3& hi, const Mat3& rotation = Mat3::Identity()) {
-  Literal s;
-  s.rotation = rotation;
-  s.origin = lo;
-  s.size = hi - lo;
-  return s;
-}
+using testing::box;
 
 Literal cylinder(double radius, double from, double to, const Mat3& rotation = Mat3::Identity()) {
   Literal s;

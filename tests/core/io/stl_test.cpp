@@ -8,17 +8,13 @@
 #include "core/io/step.h"
 #include "core/mesh/load.h"
 #include "scratch_folder.h"
+#include "tests/core/csg/box.h"
 #include "tests/core/csg/random_tree.h"
 
 namespace hewn {
 namespace {
 
-Literal box(const Vec3& lo, const Vec3& hi) {
-  Literal s;
-  s.origin = lo;
-  s.size = hi - lo;
-  return s;
-}
+using testing::box;
 
 Literal round_literal(SolidKind kind, double radius, double major_radius, double height) {
   Literal s;

@@ -2,17 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/core/csg/box.h"
 #include "tests/core/csg/random_tree.h"
 
 namespace hewn {
 namespace {
 
-Literal box(const Vec3& lo, const Vec3& hi) {
-  Literal s;
-  s.origin = lo;
-  s.size = hi - lo;
-  return s;
-}
+using testing::box;
 
 Tree single(const Literal& s) {
   Tree tree;

@@ -2,15 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/core/csg/box.h"
+
 namespace hewn {
 namespace {
 
-Literal box(const Vec3& lo, const Vec3& hi) {
-  Literal s;
-  s.origin = lo;
-  s.size = hi - lo;
-  return s;
-}
+using testing::box;
 
 /// A block and a plate of a thousandth of its size in the middle of it.
 Arrangement block_and_plate() {
@@ -25,8 +22,8 @@ std::size_t cells_of(const Arrangement& arrangement, const std::vector<Vec3>& po
 
 TEST_CASE("an octree divides only cells that a surface may pass through") {
   const Arrangement one = ArrangementSampler({box({0, 0, 0}, {8, 8, 8})}, 14).arrangement();
-  // Twice, for the box of all and the box of the one: the root and its octants; each touches the
-  // surface and has one corner cell in eight that does not.
+  // Twice, for the box of all and the box of the one. The surface may pass through every octant of
+  // the root, but not through every cell of theirs.
   const auto points = octree_points(one, 2, {});
   CHECK(points.size() == 2 * (1 + 8 + 64));
   const auto finer = octree_points(one, 1, {});

@@ -2,19 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/core/csg/box.h"
 #include "tests/core/csg/random_tree.h"
 
 namespace hewn {
 namespace {
 
+using testing::box;
 using testing::random_point;
-
-Literal box(const Vec3& lo, const Vec3& hi) {
-  Literal s;
-  s.origin = lo;
-  s.size = hi - lo;
-  return s;
-}
 
 Literal ball(double radius) {
   Literal s;

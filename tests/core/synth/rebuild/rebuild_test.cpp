@@ -5,6 +5,7 @@
 #include "core/csg/tree_inside.h"
 #include "core/synth/optimise.h"
 #include "core/synth/rebuild/tree_surfaces.h"
+#include "tests/core/csg/box.h"
 #include "tests/core/csg/random_tree.h"
 
 namespace hewn {
@@ -12,12 +13,7 @@ namespace {
 
 using testing::random_point;
 
-Literal box(const Vec3& lo, const Vec3& hi) {
-  Literal s;
-  s.origin = lo;
-  s.size = hi - lo;
-  return s;
-}
+using testing::box;
 
 Literal tube(double x, double y, double radius, double from, double to) {
   Literal s;
