@@ -184,6 +184,7 @@ bool CandidateFinder::has_fine_facets(const Surface& s, const std::vector<int>& 
   if (s.kind == SurfaceKind::Cone) return true;
   const SurfaceField field(s);
   std::vector<double> depths;
+  depths.reserve(facets.size());
   for (const int f : facets) {
     depths.push_back(std::abs(field.signed_distance(graph_.facets[f].centroid)));
   }
@@ -199,7 +200,8 @@ bool CandidateFinder::fit_core(Surface& s, std::vector<int>& core) {
   const FacetFitSettings settings{8, false, 0.02};
   if (!fitter_.refine(s, core, settings)) return false;
   std::vector<std::pair<double, int>> errors;
-  for (const int f : core) errors.push_back({fitter_.max_distance(s, f), f});
+  errors.reserve(core.size());
+  for (const int f : core) errors.emplace_back(fitter_.max_distance(s, f), f);
   std::sort(errors.begin(), errors.end());
   const double limit = std::max(3 * errors[errors.size() / 2].first, 2 * tolerance_.eps);
   std::vector<int> kept;

@@ -160,8 +160,8 @@ struct Forecast {
 
 /// One worker's own view of which facets are free.
 struct Forecaster {
-  Forecaster(const GrowthInput& input, const std::vector<int>& group_of_facet)
-      : group_of(group_of_facet), finder(input, group_of) {}
+  Forecaster(const GrowthInput& input, std::vector<int> group_of_facet)
+      : group_of(std::move(group_of_facet)), finder(input, group_of) {}
   Forecaster(const Forecaster&) = delete;
   Forecaster& operator=(const Forecaster&) = delete;
 
@@ -174,16 +174,15 @@ struct Forecaster {
 /// none of the facets that it rests on was taken in between: the outcome is that of one worker.
 class Growing {
  public:
-  Growing(const GrowthInput& input, std::vector<int>& group_of_facet, const RunContext& run)
-      : input_(input), group_of_(group_of_facet), run_(run) {}
+  Growing(const GrowthInput& input, FacetGroups& found, const RunContext& run)
+      : input_(input), found_(found), run_(run) {}
 
-  Result<int> grow_all(const std::vector<std::vector<int>>& components,
-                       std::vector<GrownGroup>& groups) {
+  Result<int> grow_all(const std::vector<std::vector<int>>& components) {
     const auto workers = static_cast<std::size_t>(worker_count(run_.threads));
     if (workers > 1) forecast(components, workers);
     std::vector<CandidateFinder> finders;
-    for (std::size_t w = 0; w < workers; ++w) finders.emplace_back(input_, group_of_);
-    ComponentGrower grower(input_, finders, group_of_);
+    for (std::size_t w = 0; w < workers; ++w) finders.emplace_back(input_, found_.group_of);
+    ComponentGrower grower(input_, finders, found_.group_of);
     int given_up = 0;
     for (std::size_t c = 0; c < components.size(); ++c) {
       if (components[c].size() < kLeastFacets) continue;
@@ -198,10 +197,7 @@ class Growing {
       }
       if (run_.is_cancelled()) return RunContext::cancelled();
       given_up += growth.is_free_form;
-      for (GrownGroup& group : growth.groups) {
-        for (const int f : group.facets) group_of_[f] = static_cast<int>(groups.size());
-        groups.push_back(std::move(group));
-      }
+      for (GrownGroup& group : growth.groups) found_.add(std::move(group));
     }
     return given_up;
   }
@@ -224,9 +220,9 @@ class Growing {
       return components[a].size() > components[b].size();
     });
     std::deque<Forecaster> forecasters;
-    for (std::size_t w = 0; w < workers; ++w) forecasters.emplace_back(input_, group_of_);
+    for (std::size_t w = 0; w < workers; ++w) forecasters.emplace_back(input_, found_.group_of);
     forecasts_.resize(components.size());
-    at_start_ = group_of_;
+    at_start_ = found_.group_of;
     for_each_with_worker(run_.threads, workers, chosen.size(),
                          [&](std::size_t worker, std::size_t i) {
                            if (run_.is_cancelled()) return;
@@ -251,7 +247,7 @@ class Growing {
   }
 
   bool still_holds(const Forecast& forecast, const std::vector<int>& component) const {
-    const auto is_unchanged = [&](int f) { return group_of_[f] < 0 || at_start_[f] >= 0; };
+    const auto is_unchanged = [&](int f) { return found_.group_of[f] < 0 || at_start_[f] >= 0; };
     return forecast.growth && std::all_of(component.begin(), component.end(), is_unchanged) &&
            std::all_of(forecast.foreign.begin(), forecast.foreign.end(), is_unchanged);
   }
@@ -262,7 +258,7 @@ class Growing {
   }
 
   const GrowthInput& input_;
-  std::vector<int>& group_of_;
+  FacetGroups& found_;
   const RunContext& run_;
   std::vector<Forecast> forecasts_;
   std::vector<int> at_start_;
@@ -293,15 +289,14 @@ std::vector<std::vector<int>> smooth_components(const FacetGraph& graph, double 
 
 Result<int> grow_curved_groups(const Mesh& mesh, const FacetGraph& graph,
                                const SurfaceTolerance& tolerance, const SegmentOptions& options,
-                               std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet,
-                               const RunContext& run) {
+                               FacetGroups& found, const RunContext& run) {
   const auto components = smooth_components(graph, options.smooth_angle_deg * kPi / 180);
   std::vector<int> component_of(graph.facets.size(), -1);
   for (std::size_t c = 0; c < components.size(); ++c) {
     for (const int f : components[c]) component_of[f] = static_cast<int>(c);
   }
   const GrowthInput input{mesh, graph, tolerance, options, component_of};
-  return Growing(input, group_of_facet, run).grow_all(components, groups);
+  return Growing(input, found, run).grow_all(components);
 }
 
 }  // namespace hewn

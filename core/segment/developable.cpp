@@ -123,23 +123,22 @@ std::vector<GrownGroup> split_torus(const GrownGroup& torus, const RingFinder& f
 }  // namespace
 
 void prefer_developable(const Mesh& mesh, const FacetGraph& graph,
-                        const SurfaceTolerance& tolerance, std::vector<GrownGroup>& groups,
-                        std::vector<int>& group_of_facet) {
+                        const SurfaceTolerance& tolerance, FacetGroups& found) {
   FacetFitter fitter(mesh, graph, tolerance);
   const RingFinder finder(mesh, graph, fitter);
+  std::vector<GrownGroup>& groups = found.groups;
   const std::size_t count = groups.size();
   for (std::size_t g = 0; g < count; ++g) {
     const SurfaceKind kind = groups[g].surface.kind;
     if (kind != SurfaceKind::Sphere && kind != SurfaceKind::Torus) continue;
     const FitQuality quality = fitter.evaluate(groups[g].surface, groups[g].facets);
-    if (const auto found = developable_fit(fitter, groups[g].facets, quality, tolerance.eps)) {
-      groups[g].surface = *found;
+    if (const auto simpler = developable_fit(fitter, groups[g].facets, quality, tolerance.eps)) {
+      groups[g].surface = *simpler;
     } else if (kind == SurfaceKind::Torus) {
       std::vector<GrownGroup> pieces = split_torus(groups[g], finder, fitter, tolerance.eps);
       if (pieces.empty()) continue;
-      for (const int f : pieces[1].facets) group_of_facet[f] = static_cast<int>(groups.size());
       groups[g] = std::move(pieces[0]);
-      groups.push_back(std::move(pieces[1]));
+      found.add(std::move(pieces[1]));
     }
   }
 }

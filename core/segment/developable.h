@@ -16,7 +16,6 @@ namespace hewn {
 /// wide, as the steps of a tessellation are, each becomes a group of its own; new groups are
 /// appended.
 void prefer_developable(const Mesh& mesh, const FacetGraph& graph,
-                        const SurfaceTolerance& tolerance, std::vector<GrownGroup>& groups,
-                        std::vector<int>& group_of_facet);
+                        const SurfaceTolerance& tolerance, FacetGroups& found);
 
 }  // namespace hewn

@@ -168,7 +168,7 @@ double FacetFitter::refine_on_planes(Surface& cylinder, std::span<const int> fac
     const double value = sign * facet.normal.dot(facet.centroid - cylinder.point);
     a += row * row.transpose();
     b += row * value;
-    rows.push_back({row, value});
+    rows.emplace_back(row, value);
   }
   const Vec3 x = a.ldlt().solve(b);
   double error = 0;

@@ -92,17 +92,16 @@ Segmentation assemble(const Mesh& mesh, const FacetGraph& graph,
 /// One run at one exactness.
 struct Attempt {
   FacetGraph graph;
-  std::vector<GrownGroup> groups;
-  std::vector<int> group_of;
+  FacetGroups found;
   SurfaceTolerance tolerance;
   bool is_free_form = false;  ///< at least one smooth component
 };
 
 void polish_groups(const Mesh& mesh, Attempt& a) {
   FacetFitter fitter(mesh, a.graph, a.tolerance);
-  a.tolerance.noise = std::max(a.tolerance.noise,
-                               noise_on_curves(mesh, a.groups, fitter, kRounded * mesh.diagonal()));
-  for (GrownGroup& group : a.groups) {
+  a.tolerance.noise = std::max(
+      a.tolerance.noise, noise_on_curves(mesh, a.found.groups, fitter, kRounded * mesh.diagonal()));
+  for (GrownGroup& group : a.found.groups) {
     if (group.surface.kind == SurfaceKind::Plane || group.is_settled) continue;
     std::vector<Vec3> points;
     for (const int v : fitter.corner_indices(group.facets)) points.push_back(mesh.vertices[v]);
@@ -123,32 +122,29 @@ Result<Attempt> attempt(const Mesh& mesh, const std::vector<std::array<int, 3>>&
   a.graph = build_facets(mesh, neighbors, {plane, noise}, run);
   a.tolerance.is_resampled = a.graph.interior_share > kResampledShare;
   if (run.is_cancelled()) return RunContext::cancelled();
-  a.group_of.assign(a.graph.facets.size(), -1);
+  a.found.group_of.assign(a.graph.facets.size(), -1);
   if (a.tolerance.is_resampled) {
-    const Result<void> rings =
-        take_plane_rings(mesh, a.graph, a.tolerance, options.smooth_angle_deg * kPi / 180, a.groups,
-                         a.group_of, run);
+    const Result<void> rings = take_plane_rings(mesh, a.graph, a.tolerance,
+                                                options.smooth_angle_deg * kPi / 180, a.found, run);
     if (!rings) return rings.error();
   }
-  const Result<int> grown =
-      grow_curved_groups(mesh, a.graph, a.tolerance, options, a.groups, a.group_of, run);
+  const Result<int> grown = grow_curved_groups(mesh, a.graph, a.tolerance, options, a.found, run);
   if (!grown) return grown.error();
   a.is_free_form = *grown > 0;
-  absorb_slivers(mesh, a.graph, a.tolerance, a.groups, a.group_of);
-  adopt_facets(mesh, a.graph, a.tolerance, a.groups, a.group_of, run);
-  const Result<void> planes =
-      plane_leftovers(mesh, a.graph, a.tolerance, a.groups, a.group_of, run);
+  absorb_slivers(mesh, a.graph, a.tolerance, a.found);
+  adopt_facets(mesh, a.graph, a.tolerance, a.found, run);
+  const Result<void> planes = plane_leftovers(mesh, a.graph, a.tolerance, a.found, run);
   if (!planes) return planes.error();
   // Later rounds profit from the better fits of the first.
   for (int round = 0; round < 3 && a.tolerance.is_resampled; ++round) {
-    if (round == 2) relax_borders(mesh, a.graph, a.tolerance, a.groups, a.group_of, run);
-    merge_pieces(mesh, a.graph, a.tolerance, a.groups, a.group_of, run);
+    if (round == 2) relax_borders(mesh, a.graph, a.tolerance, a.found, run);
+    merge_pieces(mesh, a.graph, a.tolerance, a.found, run);
   }
   if (run.is_cancelled()) return RunContext::cancelled();
-  dissolve_splinters(mesh, a.graph, a.tolerance, a.groups, a.group_of);
+  dissolve_splinters(mesh, a.graph, a.tolerance, a.found);
   if (run.is_cancelled()) return RunContext::cancelled();
-  prefer_developable(mesh, a.graph, a.tolerance, a.groups, a.group_of);
-  gather_scattered(mesh, a.graph, a.tolerance, a.groups, a.group_of);
+  prefer_developable(mesh, a.graph, a.tolerance, a.found);
+  gather_scattered(mesh, a.graph, a.tolerance, a.found);
   polish_groups(mesh, a);
   return a;
 }
@@ -158,22 +154,22 @@ void mark_free_form(const Attempt& a, double smooth_rad, double total_area, Segm
   constexpr double kFlat = 0.01;
   constexpr double kSmallArea = 2e-3;  // of the mesh's area
   constexpr std::size_t kManyPlanes = 6;
-  std::vector<std::vector<int>> joined(a.groups.size());
+  std::vector<std::vector<int>> joined(a.found.groups.size());
   const auto is_small_plane = [&](int g) {
-    return g >= 0 && a.groups[g].surface.kind == SurfaceKind::Plane &&
+    return g >= 0 && a.found.groups[g].surface.kind == SurfaceKind::Plane &&
            result.groups[g].area < kSmallArea * total_area;
   };
   for (int f = 0; f < a.graph.size(); ++f) {
-    const int g = a.group_of[f];
+    const int g = a.found.group_of[f];
     if (!is_small_plane(g)) continue;
     for (const FacetNeighbor& n : a.graph.neighbors(f)) {
-      const int other = a.group_of[n.facet];
+      const int other = a.found.group_of[n.facet];
       if (other == g || !is_small_plane(other)) continue;
       if (n.angle_rad > kFlat && n.angle_rad < smooth_rad) joined[g].push_back(other);
     }
   }
-  std::vector<bool> is_seen(a.groups.size(), false);
-  for (int start = 0; start < static_cast<int>(a.groups.size()); ++start) {
+  std::vector<bool> is_seen(a.found.groups.size(), false);
+  for (int start = 0; start < static_cast<int>(a.found.groups.size()); ++start) {
     if (is_seen[start] || joined[start].empty()) continue;
     std::vector<int> patch = {start};
     is_seen[start] = true;
@@ -193,14 +189,15 @@ int count_pieces(const Attempt& a, double smooth_rad) {
   constexpr double kFlat = 0.01;
   int pieces = 0;
   const auto is_plane = [&](int f) {
-    return a.group_of[f] >= 0 && a.groups[a.group_of[f]].surface.kind == SurfaceKind::Plane;
+    return a.found.group_of[f] >= 0 &&
+           a.found.groups[a.found.group_of[f]].surface.kind == SurfaceKind::Plane;
   };
   for (int f = 0; f < a.graph.size(); ++f) {
     if (!is_plane(f)) continue;
     const auto neighbors = a.graph.neighbors(f);
     pieces += std::any_of(neighbors.begin(), neighbors.end(), [&](const FacetNeighbor& n) {
       return n.angle_rad > kFlat && n.angle_rad < smooth_rad && is_plane(n.facet) &&
-             a.group_of[n.facet] != a.group_of[f];
+             a.found.group_of[n.facet] != a.found.group_of[f];
     });
   }
   return pieces;
@@ -223,11 +220,11 @@ Result<Segmentation> segment_by_facets(const Mesh& mesh, const SegmentOptions& o
       count_pieces(*best, options.smooth_angle_deg * kPi / 180) >= kManyPieces) {
     Result<Attempt> loose = attempt(mesh, neighbors, noise, options.loose_factor, options, run);
     if (!loose) return loose.error();
-    const auto worth = static_cast<double>(best->groups.size()) * kWorthwhile;
-    if (static_cast<double>(loose->groups.size()) < worth) best = std::move(loose);
+    const auto worth = static_cast<double>(best->found.groups.size()) * kWorthwhile;
+    if (static_cast<double>(loose->found.groups.size()) < worth) best = std::move(loose);
   }
   run.report("segment", 1);
-  Segmentation result = assemble(mesh, best->graph, best->groups, best->tolerance);
+  Segmentation result = assemble(mesh, best->graph, best->found.groups, best->tolerance);
   mark_free_form(*best, options.smooth_angle_deg * kPi / 180, mesh.total_area, result);
   return result;
 }

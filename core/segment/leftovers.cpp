@@ -120,20 +120,6 @@ bool belongs(const FacetShape& shape, const Mesh& mesh, const FacetGraph& graph,
 
 constexpr double kPiecePlane = 0.01;  // of the mesh's area: larger planes are no pieces
 
-/// Drops groups without facets and renumbers.
-void compact_groups(std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet) {
-  std::vector<int> index(groups.size(), -1);
-  std::size_t kept = 0;
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    if (groups[g].facets.empty()) continue;
-    index[g] = static_cast<int>(kept);
-    if (kept != g) groups[kept] = std::move(groups[g]);
-    ++kept;
-  }
-  groups.resize(kept);
-  for (int& g : group_of_facet) g = g < 0 ? g : index[g];
-}
-
 /// Whether all facets of a group lie within the depth of a surface's own facets.
 bool is_piece(const FacetShape& shape, double depth, const GrownGroup& group,
               const FacetGraph& graph, const FacetFitter& fitter) {
@@ -156,16 +142,14 @@ constexpr std::size_t kCrookedFacets = 2;
 class SplinterDissolver {
  public:
   SplinterDissolver(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
-                    std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet)
+                    FacetGroups& found)
       : mesh_(mesh),
         graph_(graph),
         tolerance_(tolerance),
         fitter_(mesh, graph, tolerance),
-        groups_(groups),
-        group_of_(group_of_facet) {
-    for (const GrownGroup& group : groups) {
-      areas_.push_back(area_of(graph, group));
-    }
+        groups_(found.groups),
+        group_of_(found.group_of) {
+    for (const GrownGroup& group : groups_) areas_.push_back(area_of(graph, group));
   }
 
   void run() {
@@ -182,7 +166,6 @@ class SplinterDissolver {
       }
       if (is_crooked(g)) dissolve(g, kCrookedDistance * tolerance_.diagonal, true);
     }
-    compact_groups(groups_, group_of_);
   }
 
  private:
@@ -261,93 +244,90 @@ class SplinterDissolver {
 }  // namespace
 
 void absorb_slivers(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
-                    std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet) {
+                    FacetGroups& found) {
   const FacetFitter fitter(mesh, graph, tolerance);
   const double max_area = kSliverArea * tolerance.diagonal * tolerance.diagonal;
   for (int f = 0; f < graph.size(); ++f) {
-    if (group_of_facet[f] >= 0 || graph.facets[f].area >= max_area) continue;
+    if (found.group_of[f] >= 0 || graph.facets[f].area >= max_area) continue;
     for (const FacetNeighbor& n : graph.neighbors(f)) {
-      const int g = group_of_facet[n.facet];
+      const int g = found.group_of[n.facet];
       if (g < 0) continue;
-      if (fitter.max_distance(groups[g].surface, f) > kSliverDistance * tolerance.diagonal) {
+      if (fitter.max_distance(found.groups[g].surface, f) > kSliverDistance * tolerance.diagonal) {
         continue;
       }
-      group_of_facet[f] = g;
-      groups[g].facets.push_back(f);
+      found.group_of[f] = g;
+      found.groups[g].facets.push_back(f);
       break;
     }
   }
 }
 
 void adopt_facets(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
-                  std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet,
-                  const RunContext& run) {
+                  FacetGroups& found, const RunContext& run) {
   const FacetFitter fitter(mesh, graph, tolerance);
   std::vector<FacetShape> shapes;
-  for (const GrownGroup& group : groups) shapes.push_back(shape_of(group, graph, fitter));
+  for (const GrownGroup& group : found.groups) shapes.push_back(shape_of(group, graph, fitter));
   for (int f = 0; f < graph.size() && !run.is_cancelled(); ++f) {
-    if (group_of_facet[f] >= 0 || fitter.is_tiny(f)) continue;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (found.group_of[f] >= 0 || fitter.is_tiny(f)) continue;
+    for (std::size_t g = 0; g < found.groups.size(); ++g) {
       if (shapes[g].sagitta < 2 * tolerance.eps) continue;
       if (!belongs(shapes[g], mesh, graph, f, tolerance.eps)) continue;
-      group_of_facet[f] = static_cast<int>(g);
-      groups[g].facets.push_back(f);
+      found.group_of[f] = static_cast<int>(g);
+      found.groups[g].facets.push_back(f);
       break;
     }
   }
 }
 
 void merge_pieces(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
-                  std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet,
-                  const RunContext& run) {
+                  FacetGroups& found, const RunContext& run) {
   FacetFitter fitter(mesh, graph, tolerance);
   std::vector<double> areas;
-  for (const GrownGroup& group : groups) areas.push_back(area_of(graph, group));
-  std::vector<int> order(groups.size());
+  for (const GrownGroup& group : found.groups) areas.push_back(area_of(graph, group));
+  std::vector<int> order(found.groups.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return areas[a] > areas[b]; });
   for (std::size_t i = 0; i < order.size() && !run.is_cancelled(); ++i) {
-    GrownGroup& whole = groups[order[i]];
+    GrownGroup& whole = found.groups[order[i]];
     if (whole.facets.empty() || whole.surface.kind == SurfaceKind::Plane) continue;
     const FacetShape shape = shape_of(whole, graph, fitter);
     const FitQuality q = fitter.evaluate(whole.surface, whole.facets);
     const double depth = 1.5 * std::max(q.max_distance, q.sagitta);
     bool has_grown = false;
     for (std::size_t j = i + 1; j < order.size(); ++j) {
-      GrownGroup& piece = groups[order[j]];
+      GrownGroup& piece = found.groups[order[j]];
       const bool is_plane = piece.surface.kind == SurfaceKind::Plane;
       if (is_plane && areas[order[j]] > kPiecePlane * mesh.total_area) continue;
       if (piece.facets.empty() || !is_piece(shape, depth, piece, graph, fitter)) continue;
-      for (const int f : piece.facets) group_of_facet[f] = order[i];
+      for (const int f : piece.facets) found.group_of[f] = order[i];
       whole.facets.insert(whole.facets.end(), piece.facets.begin(), piece.facets.end());
       piece.facets.clear();
       has_grown = true;
     }
     if (has_grown && !whole.is_settled) fitter.refine(whole.surface, whole.facets, {8, false, 0});
   }
-  compact_groups(groups, group_of_facet);
+  found.drop_empty();
 }
 
 void dissolve_splinters(const Mesh& mesh, const FacetGraph& graph,
-                        const SurfaceTolerance& tolerance, std::vector<GrownGroup>& groups,
-                        std::vector<int>& group_of_facet) {
-  SplinterDissolver(mesh, graph, tolerance, groups, group_of_facet).run();
+                        const SurfaceTolerance& tolerance, FacetGroups& found) {
+  SplinterDissolver(mesh, graph, tolerance, found).run();
+  found.drop_empty();
 }
 
 Result<void> plane_leftovers(const Mesh& mesh, const FacetGraph& graph,
-                             const SurfaceTolerance& tolerance, std::vector<GrownGroup>& groups,
-                             std::vector<int>& group_of_facet, const RunContext& run) {
+                             const SurfaceTolerance& tolerance, FacetGroups& found,
+                             const RunContext& run) {
   std::vector<int> order(graph.facets.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return graph.facets[a].area > graph.facets[b].area; });
-  PlaneCollector collector(mesh, graph, tolerance, group_of_facet);
+  PlaneCollector collector(mesh, graph, tolerance, found.group_of);
   for (const int f : order) {
     if (run.is_cancelled()) return RunContext::cancelled();
-    if (group_of_facet[f] >= 0 || graph.facets[f].area <= 0) continue;
+    if (found.group_of[f] >= 0 || graph.facets[f].area <= 0) continue;
     GrownGroup group = collector.collect(f);
-    for (const int member : group.facets) group_of_facet[member] = static_cast<int>(groups.size());
-    groups.push_back(std::move(group));
+    found.add(std::move(group));
   }
   return {};
 }

@@ -44,13 +44,13 @@ struct Ring {
 class RingFinder {
  public:
   RingFinder(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
-             double smooth_rad, std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet)
+             double smooth_rad, FacetGroups& found)
       : mesh_(mesh),
         graph_(graph),
         tolerance_(tolerance),
         smooth_rad_(smooth_rad),
-        groups_(groups),
-        group_of_(group_of_facet),
+        groups_(found.groups),
+        group_of_(found.group_of),
         links_(graph.facets.size()),
         stamp_of_(graph.facets.size(), 0) {}
 
@@ -297,9 +297,8 @@ class RingFinder {
 
 Result<void> take_plane_rings(const Mesh& mesh, const FacetGraph& graph,
                               const SurfaceTolerance& tolerance, double smooth_rad,
-                              std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet,
-                              const RunContext& run) {
-  return RingFinder(mesh, graph, tolerance, smooth_rad, groups, group_of_facet).run(run);
+                              FacetGroups& found, const RunContext& run) {
+  return RingFinder(mesh, graph, tolerance, smooth_rad, found).run(run);
 }
 
 }  // namespace hewn

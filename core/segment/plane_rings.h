@@ -16,7 +16,6 @@ namespace hewn {
 /// Fails with: Cancelled.
 Result<void> take_plane_rings(const Mesh& mesh, const FacetGraph& graph,
                               const SurfaceTolerance& tolerance, double smooth_rad,
-                              std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet,
-                              const RunContext& run);
+                              FacetGroups& found, const RunContext& run);
 
 }  // namespace hewn

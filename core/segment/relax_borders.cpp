@@ -17,12 +17,12 @@ constexpr std::size_t kMaxPoints = 2000;
 class BorderRelaxer {
  public:
   BorderRelaxer(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
-                std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet)
+                FacetGroups& found)
       : graph_(graph),
         tolerance_(tolerance),
         fitter_(mesh, graph, tolerance),
-        groups_(groups),
-        group_of_(group_of_facet) {}
+        groups_(found.groups),
+        group_of_(found.group_of) {}
 
   void run(const RunContext& run) {
     for (int round = 0; round < kRounds && !run.is_cancelled(); ++round) {
@@ -144,9 +144,8 @@ class BorderRelaxer {
 }  // namespace
 
 void relax_borders(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
-                   std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet,
-                   const RunContext& run) {
-  BorderRelaxer(mesh, graph, tolerance, groups, group_of_facet).run(run);
+                   FacetGroups& found, const RunContext& run) {
+  BorderRelaxer(mesh, graph, tolerance, found).run(run);
 }
 
 }  // namespace hewn

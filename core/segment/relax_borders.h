@@ -13,7 +13,6 @@ namespace hewn {
 /// of Cohen-Steiner et al. 2004, "Variational shape approximation", kept to the borders).
 /// For resampled meshes. Cost: O(facets) a round, few rounds. Stops when cancelled.
 void relax_borders(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
-                   std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet,
-                   const RunContext& run);
+                   FacetGroups& found, const RunContext& run);
 
 }  // namespace hewn

@@ -136,12 +136,9 @@ class Gathering {
 }  // namespace
 
 void gather_scattered(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
-                      std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet) {
-  Gathering(mesh, graph, tolerance, groups).run();
-  std::erase_if(groups, [](const GrownGroup& g) { return g.facets.empty(); });
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    for (const int f : groups[g].facets) group_of_facet[f] = static_cast<int>(g);
-  }
+                      FacetGroups& found) {
+  Gathering(mesh, graph, tolerance, found.groups).run();
+  found.drop_empty();
 }
 
 }  // namespace hewn

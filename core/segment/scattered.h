@@ -12,6 +12,6 @@ namespace hewn {
 /// azimuths and corners fit a regular tessellation become one cylinder. Indices of groups change.
 /// Cost: O(axes x planes log planes).
 void gather_scattered(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
-                      std::vector<GrownGroup>& groups, std::vector<int>& group_of_facet);
+                      FacetGroups& found);
 
 }  // namespace hewn

@@ -1,0 +1,29 @@
+#pragma once
+/// Which facets form one surface: what the stages of segmentation hand on to each other.
+#include <vector>
+
+#include "core/csg/surface.h"
+
+namespace hewn {
+
+/// A surface with the facets found on it.
+struct GrownGroup {
+  Surface surface;
+  std::vector<int> facets;
+  /// The surface follows from the facets' planes; fits to vertices would only spoil it.
+  bool is_settled = false;
+};
+
+/// The groups found so far and, for each facet, the one that it belongs to (-1: free).
+struct FacetGroups {
+  std::vector<GrownGroup> groups;
+  std::vector<int> group_of;
+
+  /// Appends a group and gives it its facets.
+  void add(GrownGroup group);
+
+  /// Drops groups without facets and renumbers the rest in their order.
+  void drop_empty();
+};
+
+}  // namespace hewn
