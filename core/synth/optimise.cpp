@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/csg/literal_set.h"
+#include "core/csg/protrude.h"
 #include "core/csg/tree_inside.h"
 #include "core/csg/tree_ray.h"
 #include "core/sample/thin_cells.h"
@@ -17,6 +18,7 @@
 #include "core/synth/rebuild/second_start.h"
 #include "core/synth/simplify/derived_literals.h"
 #include "core/synth/simplify/dominant.h"
+#include "core/synth/simplify/exchange_literals.h"
 #include "core/synth/simplify/grow_overlaps.h"
 
 namespace hewn {
@@ -294,7 +296,9 @@ class Optimiser {
       f = std::move(*rebuilt);
     }
     StageTimer timer(out_.seconds, "redundancy");
-    return without_redundancy(std::move(f), cells, cared, run_);
+    f = without_redundancy(std::move(f), cells, cared, run_);
+    if (options_.method != OptimiseMethod::Rewrite) return f;
+    return exchange_literals(std::move(f), cells, cared, run_);
   }
 
   Result<Formula> rewritten(Formula f, const CellColumns& cells, const Column& cared) const {
@@ -355,9 +359,12 @@ class Optimiser {
       auto same = prove(proved_.tree, round);
       if (!same || *same) return same;
     }
-    proved_ = {to_tree(found, all_literals(), cells), formula_proximity(found, cells), false};
-    auto same = prove(proved_.tree, round);
-    if (!same || *same) return same;
+    const Tree plain = to_tree(found, all_literals(), cells);
+    for (const Tree& tree : {with_protruding_tools(plain), plain}) {
+      proved_ = {tree, formula_proximity(found, cells), false};
+      auto same = prove(tree, round);
+      if (!same || *same) return same;
+    }
     sampler_.add(out_.equivalence.examples, run_);
     for (const Vec3& p : out_.equivalence.examples) {
       thick_points_.push_back(p);

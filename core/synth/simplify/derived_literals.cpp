@@ -34,9 +34,10 @@ std::optional<Extent> extent_in(const Literal& box, const Mat3& frame) {
   return Extent{a.cwiseMin(b), a.cwiseMax(b)};
 }
 
+using Span = std::pair<double, double>;
+
 /// Where along the axis of `tube` the box stands, when it covers the tube's whole width.
-std::optional<std::pair<double, double>> span_over(const Literal& box, const Literal& tube) {
-  if (box.kind != SolidKind::Box || box.stretch) return std::nullopt;
+std::optional<Span> box_span_over(const Literal& box, const Literal& tube) {
   const Vec3 axis = box.rotation.transpose() * tube.rotation.col(2);
   int along = 0;
   axis.cwiseAbs().maxCoeff(&along);
@@ -52,19 +53,41 @@ std::optional<std::pair<double, double>> span_over(const Literal& box, const Lit
   // In the tube's rotated z coordinate.
   const double a = sign * box.origin[along];
   const double b = sign * (box.origin[along] + box.size[along]);
-  return std::pair(std::min(a, b), std::max(a, b));
+  return Span(std::min(a, b), std::max(a, b));
+}
+
+/// The same of a tube with a parallel axis.
+std::optional<Span> tube_span_over(const Literal& other, const Literal& tube) {
+  const Vec3 axis = tube.rotation.transpose() * other.rotation.col(2);
+  const double sign = axis.z() < 0 ? -1 : 1;
+  if ((axis - sign * Vec3::UnitZ()).cwiseAbs().maxCoeff() > kAligned) return std::nullopt;
+  const Vec3 foot = tube.rotation == other.rotation
+                        ? other.origin  // exact, so that coincident faces stay coincident
+                        : tube.rotation.transpose() * (other.rotation * other.origin);
+  const double radius = std::max(tube.radius, tube.top_radius);
+  const double reach = (foot - tube.origin).head<2>().norm() + radius;
+  if (std::min(other.radius, other.top_radius) < reach - kAligned * radius) return std::nullopt;
+  const double a = foot.z();
+  const double b = a + sign * other.height;
+  return Span(std::min(a, b), std::max(a, b));
+}
+
+std::optional<Span> span_over(const Literal& tool, const Literal& tube) {
+  if (tool.stretch) return std::nullopt;
+  if (tool.kind == SolidKind::Box) return box_span_over(tool, tube);
+  if (tool.kind == SolidKind::Cylinder) return tube_span_over(tool, tube);
+  return std::nullopt;
 }
 
 /// The interval that is left of [lo, hi]; nothing when it is all, none or two pieces.
-std::optional<std::pair<double, double>> clipped(double lo, double hi, double from, double to,
-                                                 bool is_cut) {
+std::optional<Span> clipped(double lo, double hi, double from, double to, bool is_cut) {
   if (to <= lo || from >= hi) return std::nullopt;
   if (!is_cut) {
     if (from <= lo && to >= hi) return std::nullopt;
-    return std::pair(std::max(lo, from), std::min(hi, to));
+    return Span(std::max(lo, from), std::min(hi, to));
   }
-  if (from <= lo && to < hi) return std::pair(to, hi);
-  if (to >= hi && from > lo) return std::pair(lo, from);
+  if (from <= lo && to < hi) return Span(to, hi);
+  if (to >= hi && from > lo) return Span(lo, from);
   return std::nullopt;
 }
 

@@ -1,5 +1,7 @@
 #include "core/synth/optimise.h"
 
+#include <algorithm>
+
 #include <doctest/doctest.h>
 
 #include "tests/core/csg/box.h"
@@ -40,6 +42,15 @@ OptimiseResult optimised(const Tree& tree, const OptimiseOptions& options = {}) 
   const auto result = optimise(tree, options, {});
   REQUIRE(result.has_value());
   return *result;
+}
+
+Literal rod(double radius, double from, double to) {
+  Literal s;
+  s.kind = SolidKind::Cylinder;
+  s.radius = s.top_radius = radius;
+  s.origin.z() = from;
+  s.height = to - from;
+  return s;
 }
 
 TEST_CASE("random trees keep their solid and never grow, whatever the method") {
@@ -199,6 +210,25 @@ TEST_CASE("optimising stops on request and refuses odd options") {
   const auto refused = optimise(tree, odd, {});
   REQUIRE_FALSE(refused.has_value());
   CHECK(refused.error().code == ErrorCode::InvalidArgument);
+}
+
+TEST_CASE("a pin that only touched its plate comes to overlap it") {
+  Tree tree;
+  const int plate = tree.add_literal(rod(2, 0, 1));
+  const int bore = tree.add_literal(rod(1, -3, 3));
+  const int pin = tree.add_literal(rod(1, -2, 0.5));
+  const int ring = tree.add_node(Op::Difference, {plate, bore});
+  tree.root = tree.add_node(Op::Union, {ring, pin});
+  const OptimiseResult result = optimised(tree);
+  CHECK(result.before.proximity == doctest::Approx(0.8));
+  CHECK(result.after.proximity == doctest::Approx(1));
+  CHECK(result.after.literals == 3);
+  // The bore that is left begins at the pin and sticks out of the plate.
+  const auto& literals = result.tree.literals;
+  const auto cut = std::find_if(literals.begin(), literals.end(),
+                                [](const Literal& s) { return s.origin.z() == 0.5; });
+  REQUIRE(cut != literals.end());
+  CHECK(cut->origin.z() + cut->height > 1);
 }
 
 }  // namespace
