@@ -1,12 +1,11 @@
 /// One table: every kernel's job, copies included, on one core, on all cores and on the GPU.
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <functional>
 #include <string>
 #include <thread>
 #include <vector>
-
-#include <time.h>
 
 #include "core/base/rng.h"
 #include "core/compute/cpu_device.h"

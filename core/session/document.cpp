@@ -73,6 +73,7 @@ Result<Document> with_source(Document document, std::shared_ptr<const SegmentedM
 
 std::vector<GroupRef> refer_to(const PreparedMesh& prepared, const std::vector<int>& groups) {
   std::vector<GroupRef> refs;
+  refs.reserve(groups.size());
   for (const int g : groups) {
     refs.push_back({point_on_group(*prepared.mesh, prepared.segmentation.groups[g]), -1});
   }

@@ -310,7 +310,7 @@ void Session::adopt_source(const Project& project, Result<Document> read) {
   if (is_live_ && !current_result()) static_cast<void>(start_search());
 }
 
-int Session::add_search(const Project& project, std::string source) {
+int Session::add_search(const Project& project, const std::string& source) {
   Document document = history_.current();
   document.project = project;
   std::string name = source == "plan" ? "searching" : "searching (" + source + ")";
@@ -359,11 +359,11 @@ void Session::search_variants() {
   for (const int job : std::exchange(variant_jobs_, {})) jobs_.cancel(job);
   Project project = document().project;
   project.edits.clear();  // other trees have other literals
-  const auto add = [this](Project variant, std::string name) {
+  const auto add = [this](const Project& variant, const std::string& name) {
     const std::string text = plan_text(variant);
     const bool is_known = std::any_of(results_.begin(), results_.end(),
                                       [&text](const auto& r) { return r->plan == text; });
-    if (!is_known) variant_jobs_.push_back(add_search(variant, std::move(name)));
+    if (!is_known) variant_jobs_.push_back(add_search(variant, name));
   };
   for (const int starts : {1, 8}) {
     Project variant = project;
@@ -474,10 +474,9 @@ const std::vector<PartitionView>& Session::partitions() const {
 }
 
 std::shared_ptr<const FoundResult> Session::result_for(const std::string& plan) const {
-  for (auto it = results_.rbegin(); it != results_.rend(); ++it) {
-    if ((*it)->plan == plan) return *it;
-  }
-  return nullptr;
+  const auto latest = std::find_if(results_.rbegin(), results_.rend(),
+                                   [&](const auto& result) { return result->plan == plan; });
+  return latest == results_.rend() ? nullptr : *latest;
 }
 
 std::shared_ptr<const FoundResult> Session::current_result() const { return result_for(plan()); }

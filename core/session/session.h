@@ -128,7 +128,7 @@ class Session {
   void start_view(const std::shared_ptr<const FoundResult>& result);
   std::shared_ptr<const FoundResult> result_for(const std::string& plan) const;
   std::shared_ptr<const FoundResult> unedited_result() const;
-  int add_search(const Project& project, std::string source);
+  int add_search(const Project& project, const std::string& source);
   void report(const Error& error);
   const std::string& plan() const;
 

@@ -108,7 +108,7 @@ TEST_CASE("bad trees are refused with their place, and nothing is written") {
   refused("cycle.scad", "module a() { a(); }\na();", kBadInput, "cycle.scad:1:14");
   refused("nan.scad", "cube(nan);", kBadInput, "nan.scad:1:6");
   refused("empty.scad", "", kBadInput, "empty");
-  refused("tree.json", "{\"format\": \"hewn-tree\"}", kBadInput, "tree.json");
+  refused("tree.json", R"({"format": "hewn-tree"})", kBadInput, "tree.json");
   refused("tree.stl", "solid", kUsage, ".scad, .csg or .json");
   const Outcome missing = run_hewn({"optimise", folder / "no.scad", "-o", folder / "out.scad"});
   CHECK(missing.exit_code == kNoInput);

@@ -58,7 +58,7 @@ inline OpenDevice opens(FailingDevice*& opened, int good_calls, const Error& err
   return [&opened, good_calls, error](int) -> Result<std::unique_ptr<Device>> {
     auto device = std::make_unique<FailingDevice>(good_calls, error);
     opened = device.get();
-    return Result<std::unique_ptr<Device>>(std::move(device));
+    return {std::move(device)};
   };
 }
 

@@ -17,6 +17,7 @@ MeasuredRows packed_rows(const CellColumns& cells, const Column& wanted, const C
     return out;
   };
   std::vector<Column> columns;
+  columns.reserve(static_cast<std::size_t>(cells.literals()));
   for (int k = 0; k < cells.literals(); ++k) columns.push_back(packed(cells.column(k)));
   return {rows.size(), columns, packed(wanted)};
 }

@@ -267,7 +267,7 @@ class TreeRebuilder::Search {
         }
         const auto minority = [](const int(&c)[2]) { return std::min(c[0], c[1]); };
         const int all = std::min(count[0][0] + count[1][0], count[0][1] + count[1][1]);
-        gain += 4 * (all - minority(count[0]) - minority(count[1]));
+        gain += 4L * (all - minority(count[0]) - minority(count[1]));
         // A surface that only divides cells may still help the next one.
         if (count[0][0] + count[0][1] > 0 && count[1][0] + count[1][1] > 0) gain += 1;
       }

@@ -86,10 +86,11 @@ TEST_CASE("the bounds hold the solid and touch it") {
       double least = kInfinity;
       const int u = (axis + 1) % 3;
       const int v = (axis + 2) % 3;
-      for (int k = 0; k <= 40 * 40; ++k) {
+      for (int k = 0; k < 41 * 41; ++k) {
+        const int row = k / 41;
         Vec3 x = box.lo;
         x[u] += box.size()[u] * (k % 41) / 40;
-        x[v] += box.size()[v] * (k / 41) / 40;
+        x[v] += box.size()[v] * row / 40;
         least = std::min(least, s.signed_distance(x));
       }
       CHECK(least >= -1e-12);

@@ -127,7 +127,7 @@ TEST_CASE("a program's numbers describe the literals, stretched ones as well") {
       const Vec3 y = x - program->origin;
       Vec3 local;
       for (int row = 0; row < 3; ++row) {
-        const float* r = &coded.to_local[4 * row];
+        const float* r = &coded.to_local[std::size_t{4} * static_cast<std::size_t>(row)];
         local[row] = r[0] * y.x() + r[1] * y.y() + r[2] * y.z() + r[3];
       }
       CHECK((level(coded, local) < 0) == (s.signed_distance(x) < 0));

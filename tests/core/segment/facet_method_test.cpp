@@ -61,12 +61,13 @@ Mesh cut_up_cylinder(double radius, int sides, int rows) {
   const int columns = 3 * sides;
   for (int row = 0; row <= rows; ++row) {
     for (int c = 0; c < columns; ++c) {
+      const int side = c / 3;
       const double t = 0.2 + 0.3 * (c % 3) + 0.12 * std::sin(2.1 * row);
-      const double begin = 2 * kPi * (c / 3) / sides;
-      const double end = 2 * kPi * (c / 3 + 1) / sides;
-      vertices.push_back({radius * ((1 - t) * std::cos(begin) + t * std::cos(end)),
-                          radius * ((1 - t) * std::sin(begin) + t * std::sin(end)),
-                          2.0 * row / rows});
+      const double begin = 2 * kPi * side / sides;
+      const double end = 2 * kPi * (side + 1) / sides;
+      vertices.emplace_back(radius * ((1 - t) * std::cos(begin) + t * std::cos(end)),
+                            radius * ((1 - t) * std::sin(begin) + t * std::sin(end)),
+                            2.0 * row / rows);
     }
   }
   const auto at = [&](int row, int c) { return row * columns + c % columns; };
@@ -77,8 +78,8 @@ Mesh cut_up_cylinder(double radius, int sides, int rows) {
     }
   }
   const int bottom = static_cast<int>(vertices.size());
-  vertices.push_back({0, 0, 0});
-  vertices.push_back({0, 0, 2});
+  vertices.emplace_back(0, 0, 0);
+  vertices.emplace_back(0, 0, 2);
   for (int c = 0; c < columns; ++c) {
     triangles.push_back({bottom, at(0, c + 1), at(0, c)});
     triangles.push_back({bottom + 1, at(rows, c), at(rows, c + 1)});
@@ -101,7 +102,7 @@ Mesh wall(const std::vector<Vec2>& outline, double height, int rows = 1) {
   const int n = static_cast<int>(outline.size());
   std::vector<Vec3> vertices;
   for (int row = 0; row <= rows; ++row) {
-    for (const Vec2& p : outline) vertices.push_back({p.x(), p.y(), height * row / rows});
+    for (const Vec2& p : outline) vertices.emplace_back(p.x(), p.y(), height * row / rows);
   }
   std::vector<std::array<int, 3>> triangles;
   for (int row = 0; row < rows; ++row) {
@@ -120,7 +121,7 @@ std::vector<Vec2> cut_up(const std::vector<Vec2>& outline) {
   std::vector<Vec2> cut;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2& next = outline[(i + 1) % outline.size()];
-    for (int k = 0; k < 4; ++k) cut.push_back(outline[i] + (next - outline[i]) * (0.25 * k));
+    for (int k = 0; k < 4; ++k) cut.emplace_back(outline[i] + (next - outline[i]) * (0.25 * k));
   }
   return cut;
 }
@@ -132,7 +133,7 @@ TEST_CASE("the walls of a cut-up slot do not belong to its round ends") {
   for (const double end : {1.0, -1.0}) {
     for (int k = 0; k < 15; ++k) {
       const double angle = (-84 + 12 * k) * kPi / 180;
-      outline.push_back(end * Vec2(1.5 + 0.6 * std::cos(angle), 0.6 * std::sin(angle)));
+      outline.emplace_back(end * Vec2(1.5 + 0.6 * std::cos(angle), 0.6 * std::sin(angle)));
     }
   }
   const Mesh mesh = wall(cut_up(outline), 2, 8);
@@ -210,7 +211,7 @@ TEST_CASE("single wide facets do not keep a cylinder from being one") {
   std::vector<Vec2> outline;
   double angle = 0;
   for (int i = 0; i < 36; ++i) {
-    outline.push_back(Vec2(std::cos(angle), std::sin(angle)));
+    outline.emplace_back(std::cos(angle), std::sin(angle));
     // Every third facet spans 20 degrees, two neighbouring ones 35 and 11.
     const double step = i == 5 ? 35 : i == 6 ? 11 : i % 3 == 0 ? 20 : 8;
     angle += step * kPi / 180;
@@ -231,7 +232,7 @@ TEST_CASE("a short arc of a cylinder with inexact corners is no cone or torus") 
     std::vector<Vec2> outline;
     for (int i = 0; i <= 7; ++i) {
       const double angle = 0.2 * (i + 0.25 * rng.uniform(-1, 1));
-      outline.push_back(Vec2(std::cos(angle), std::sin(angle)));
+      outline.emplace_back(std::cos(angle), std::sin(angle));
     }
     for (const Vec2& p : {Vec2(-2, 1.2), Vec2(-2, -1.4), Vec2(1, -1.4)}) outline.push_back(p);
     const Segmentation s = segmented(jittered(wall(outline, 0.4 + 0.05 * trial), 1e-3, trial));
@@ -278,7 +279,7 @@ TEST_CASE("a fluted bar is no free-form surface, however many flutes join smooth
     for (int i = 0; i < kSteps; ++i) {
       const double a = half * (2.0 * i / kSteps - 1);
       const double angle = is_rib ? turn + a : turn + kPi - a;
-      outline.push_back(center + radius * Vec2(std::cos(angle), std::sin(angle)));
+      outline.emplace_back(center + radius * Vec2(std::cos(angle), std::sin(angle)));
     }
   }
   const Segmentation s = segmented(wall(outline, 0.5));
@@ -340,7 +341,7 @@ Mesh quartered_cylinders(int count) {
     std::vector<Vec3> vertices;
     for (const double z : {0.0, 1.0}) {
       for (int k = 0; k < 16; ++k) {
-        vertices.push_back({3.0 * i + std::cos(azimuths[k]), std::sin(azimuths[k]), z});
+        vertices.emplace_back(3.0 * i + std::cos(azimuths[k]), std::sin(azimuths[k]), z);
       }
     }
     std::vector<std::array<int, 3>> triangles;

@@ -29,7 +29,7 @@ class SessionFolder {
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
   /// A 40 x 20 x 8 plate about the origin with a hole of radius 3: seven groups.
   std::filesystem::path plate() const {
-    const auto file = path_ / "plate.off";
+    auto file = path_ / "plate.off";
     static_cast<void>(save_mesh(solids::plate_with_hole(Vec3(40, 20, 8), 3, 32), file));
     return file;
   }
