@@ -313,6 +313,13 @@ void walk_through_volume(const Scene& scene, const RunContext& run, Finds& all) 
   }
 }
 
+/// How near to the literal's surface rounding may decide the side.
+double uncertain_reach(const Literal& literal, double scale) {
+  const double reach = kUncertain * scale;
+  if (literal.kind != SolidKind::Polyhedron || !literal.polyhedron) return reach;
+  return std::max(reach, kUncertainMesh * literal.polyhedron->diagonal());
+}
+
 }  // namespace
 
 Box3 common_box(const Arrangement& arrangement) {
@@ -327,24 +334,26 @@ Box3 common_box(const Arrangement& arrangement) {
 
 bool classify(const Arrangement& arrangement, const Vec3& p, Word* signature) {
   std::fill(signature, signature + arrangement.stride, 0);
-  for (std::size_t k = 0; k < arrangement.literals.size(); ++k) {
-    const Literal& s = arrangement.literals[k];
-    double margin = kUncertain * arrangement.scale;
-    if (s.kind == SolidKind::Polyhedron && s.polyhedron) {
-      margin = std::max(margin, kUncertainMesh * s.polyhedron->diagonal());
-    }
-    const double d = distance_within(s, arrangement.bounds[k], p, margin);
-    if (std::abs(d) < margin) return false;
+  bool is_certain = true;
+  arrangement.near.visit_near(p, [&](std::size_t k) {
+    const double margin = arrangement.uncertain[k];
+    const double d = distance_within(arrangement.literals[k], arrangement.bounds[k], p, margin);
     if (d < 0) set_bit(signature, k);
-  }
-  return true;
+    is_certain = std::abs(d) >= margin;
+    return is_certain;
+  });
+  return is_certain;
 }
 
 ArrangementSampler::ArrangementSampler(std::vector<Literal> literals, double scale) {
   out_.literals = std::move(literals);
   out_.stride = std::max<std::size_t>(1, (out_.literals.size() + 63) / 64);
   out_.scale = scale;
-  for (const Literal& s : out_.literals) out_.bounds.emplace_back(s);
+  for (const Literal& s : out_.literals) {
+    out_.bounds.emplace_back(s);
+    out_.uncertain.push_back(uncertain_reach(s, scale));
+  }
+  out_.near = BoundsTable(out_.bounds, out_.uncertain);
   out_.resolution = kResolution * scale;
 }
 

@@ -8,7 +8,7 @@
 #include "core/base/result.h"
 #include "core/base/run_context.h"
 #include "core/compute/bits.h"
-#include "core/csg/literal_bounds.h"
+#include "core/csg/bounds_table.h"
 
 namespace hewn {
 
@@ -17,6 +17,8 @@ namespace hewn {
 struct Arrangement {
   std::vector<Literal> literals;
   std::vector<LiteralBounds> bounds;  ///< of each literal
+  std::vector<double> uncertain;      ///< of each: nearer to its surface rounding may decide
+  BoundsTable near;                   ///< which of them are nearer to a point than that
   std::size_t stride = 0;             ///< words per signature
   std::vector<Vec3> points;
   std::vector<Word> signatures;  ///< bit k: the cell's point is inside literal k

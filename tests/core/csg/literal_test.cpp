@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/csg/literal_bounds.h"
+#include "core/csg/bounds_table.h"
 #include "random_tree.h"
 
 namespace hewn {
@@ -120,6 +120,35 @@ TEST_CASE("bounds stand in for distances beyond the reach only") {
     }
   }
   CHECK(skipped_inside > 0);
+}
+
+TEST_CASE("a table of bounds leaves out only literals that are further off than their reach") {
+  Rng rng(78);
+  std::vector<Literal> literals;
+  std::vector<LiteralBounds> bounds;
+  std::vector<double> reach;
+  for (int i = 0; i < 37; ++i) {
+    literals.push_back(testing::random_literal(rng));
+    bounds.emplace_back(literals.back());
+    reach.push_back(i % 3 == 0 ? 0 : rng.uniform(0, 0.3));
+  }
+  const BoundsTable table(bounds, reach);
+  std::size_t visited = 0;
+  for (int i = 0; i < 500; ++i) {
+    Vec3 p = testing::random_point(rng, 2);
+    // On the very bounds of one literal, too.
+    if (i % 2 == 0) p[i % 3] = bounds[static_cast<std::size_t>(i) % bounds.size()].box.lo[i % 3];
+    std::vector<char> is_near(literals.size(), 0);
+    table.visit_near(p, [&](std::size_t k) {
+      is_near[k] = 1;
+      ++visited;
+      return true;
+    });
+    for (std::size_t k = 0; k < literals.size(); ++k) {
+      if (!is_near[k]) REQUIRE(distance_within(literals[k], bounds[k], p, reach[k]) > reach[k]);
+    }
+  }
+  CHECK(visited < 500 * literals.size());
 }
 
 TEST_CASE("a polyhedron's query answers as the sum over its triangles does") {
