@@ -1,11 +1,11 @@
 /// Random trees of 31 nodes over 64 columns, evaluated against a wanted solid in bits and in
 /// floats. `bits_against_floats` measures both in turns on one core and prints the ratio.
 #include <algorithm>
+#include <ctime>
 #include <string>
 #include <vector>
 
 #include <benchmark/benchmark.h>
-#include <time.h>
 
 #include "bench/micro/float_program.h"
 #include "core/base/rng.h"

@@ -157,10 +157,9 @@ void BitProgram::push_op(BitOp op) {
 
 int BitProgram::free_slot() const {
   // Slots are taken and released in the order of the stack, so the topmost one tells.
-  for (auto v = stack_.rbegin(); v != stack_.rend(); ++v) {
-    if (!v->operand.is_column) return v->operand.index + 1;
-  }
-  return 0;
+  const auto topmost = std::find_if(stack_.rbegin(), stack_.rend(),
+                                    [](const auto& v) { return !v.operand.is_column; });
+  return topmost == stack_.rend() ? 0 : topmost->operand.index + 1;
 }
 
 int BitProgram::count_differing(std::span<const Word* const> columns, const Word* wanted,

@@ -66,7 +66,8 @@ void put_into_fields(Literal& s, const Mat3& m, const Vec3& at) {
 
 void move_polyhedron(Literal& s, const Mat3& m, const Vec3& at) {
   std::vector<Vec3> vertices;
-  for (const Vec3& v : s.polyhedron->vertices) vertices.push_back(m * v + at);
+  vertices.reserve(s.polyhedron->vertices.size());
+  for (const Vec3& v : s.polyhedron->vertices) vertices.emplace_back(m * v + at);
   std::vector<Triangle> triangles = s.polyhedron->triangles;
   if (m.determinant() < 0) {
     for (Triangle& t : triangles) std::swap(t[1], t[2]);
