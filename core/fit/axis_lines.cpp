@@ -152,16 +152,6 @@ struct Size {
   double tolerance;
 };
 
-/// The apex that fits the points best when the half angle is kept.
-void refit_apex(FitItem& item) {
-  Surface& s = item.surface;
-  double sum = 0;
-  for (const Vec3& p : item.points) sum += s.signed_distance(p);
-  // Moving the apex by t along the axis changes every distance by t sin(half angle).
-  const double mean = sum / static_cast<double>(item.points.size());
-  s.point -= s.axis * (mean / std::sin(s.half_angle_rad));
-}
-
 }  // namespace
 
 void settle_positions(std::vector<FitItem>& items, const std::vector<Vec3>& directions,
@@ -169,7 +159,7 @@ void settle_positions(std::vector<FitItem>& items, const std::vector<Vec3>& dire
   PositionSettler(items, directions, diagonal, noise, options).run();
 }
 
-void settle_sizes(std::vector<FitItem>& items, double diagonal, double noise,
+void settle_radii(std::vector<FitItem>& items, double diagonal, double noise,
                   const RegulariseOptions& options) {
   std::vector<Size> sizes;
   const auto tolerance = [&](double deviation) {
@@ -177,18 +167,7 @@ void settle_sizes(std::vector<FitItem>& items, double diagonal, double noise,
   };
   for (FitItem& item : items) {
     Surface& s = item.surface;
-    if (s.kind == SurfaceKind::Plane) continue;
-    if (s.kind == SurfaceKind::Cone) {
-      if (!options.round_values) continue;
-      const double turn = options.snap_distance * diagonal / std::max(item.extent, 1e-300);
-      const double angle =
-          round_angle(s.half_angle_rad,
-                      std::min(options.round_deviations * item.deviation.half_angle_rad, turn));
-      if (angle == s.half_angle_rad) continue;
-      s.half_angle_rad = angle;
-      refit_apex(item);
-      continue;
-    }
+    if (s.kind == SurfaceKind::Plane || s.kind == SurfaceKind::Cone) continue;
     sizes.push_back({&s.radius, tolerance(item.deviation.radius)});
     if (s.kind == SurfaceKind::Torus) {
       sizes.push_back({&s.major_radius, tolerance(item.deviation.major_radius)});

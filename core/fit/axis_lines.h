@@ -12,8 +12,8 @@ namespace hewn {
 void settle_positions(std::vector<FitItem>& items, const std::vector<Vec3>& directions,
                       double diagonal, double noise, const RegulariseOptions& options);
 
-/// Snaps radii and half angles to round values and makes nearly equal ones equal.
-void settle_sizes(std::vector<FitItem>& items, double diagonal, double noise,
+/// Snaps radii to round values and makes nearly equal ones equal.
+void settle_radii(std::vector<FitItem>& items, double diagonal, double noise,
                   const RegulariseOptions& options);
 
 }  // namespace hewn

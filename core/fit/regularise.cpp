@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/fit/axis_lines.h"
+#include "core/fit/cone_sizes.h"
 #include "core/fit/directions.h"
 #include "core/fit/fit_items.h"
 #include "core/fit/regular_prisms.h"
@@ -259,7 +260,8 @@ Result<SurfaceSet> regularise(const Mesh& mesh, const Segmentation& segmentation
   for (FitItem& item : items) replace_steep_cone(item);
   const std::vector<Vec3> directions = assign_directions(items, diagonal, options);
   settle_positions(items, directions, diagonal, segmentation.noise, options);
-  settle_sizes(items, diagonal, segmentation.noise, options);
+  settle_radii(items, diagonal, segmentation.noise, options);
+  settle_cone_sizes(items, diagonal, segmentation.noise, options);
   if (run.is_cancelled()) return RunContext::cancelled();
   SetBuilder builder(mesh, segmentation, options.snap_distance * diagonal);
   for (const FitItem& item : items) {

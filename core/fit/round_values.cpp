@@ -10,6 +10,8 @@ namespace {
 // A step this much coarser than the tolerance is hit by chance once in ten times.
 constexpr double kMinStep = 20;
 
+}  // namespace
+
 RoundValue find_round_value(double value, double tolerance) {
   if (!(tolerance > 0) || !std::isfinite(tolerance) || !std::isfinite(value)) return {value};
   if (std::abs(value) <= tolerance) return {0, 1000};
@@ -24,8 +26,6 @@ RoundValue find_round_value(double value, double tolerance) {
   }
   return {value};
 }
-
-}  // namespace
 
 double round_value(double value, double tolerance) {
   return find_round_value(value, tolerance).value;

@@ -3,8 +3,11 @@
 namespace hewn {
 
 struct RoundValue {
+  static constexpr int kNotRounded = -1000;
+
   double value = 0;
-  int exponent = -1000;  ///< the value is a multiple of ten to this power; -1000: not rounded
+  int exponent = kNotRounded;  ///< the value is a multiple of ten to this power
+  bool is_round() const { return exponent != kNotRounded; }
 };
 
 /// The decimal with the fewest digits within `tolerance` of `value`, or `value` itself when no
@@ -12,6 +15,9 @@ struct RoundValue {
 /// of ten, so that a part in metres rounds like one in millimetres. Never moves further than
 /// `tolerance`.
 double round_value(double value, double tolerance);
+
+/// `round_value`, and how round it is.
+RoundValue find_round_value(double value, double tolerance);
 
 /// The same for an angle, rounded in degrees.
 double round_angle(double angle_rad, double tolerance_rad);

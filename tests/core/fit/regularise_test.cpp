@@ -84,6 +84,26 @@ TEST_CASE("a part with rounded coordinates gets its round dimensions back") {
   }
 }
 
+TEST_CASE("a cone with rounded coordinates gets its radii or its angle and apex back") {
+  struct Design {
+    double lower, upper, height;
+  };
+  // Half angles of 45 degrees; of none that is round; of 30 degrees to a radius that is not round.
+  const Design designs[] = {{5.5, 3, 2.5}, {5, 3.2, 2.7}, {4, 4 - 2.5 * std::tan(kPi / 6), 2.5}};
+  for (const Design& design : designs) {
+    const Mesh mesh = rounded(solids::cone(design.lower, design.upper, design.height, 48));
+    const auto cones = of_kind(regularised(mesh), SurfaceKind::Cone);
+    REQUIRE(cones.size() == 1);
+    const Surface& cone = cones[0].surface;
+    const auto radius_at = [&](double z) {
+      return (Vec3(0, 0, z) - cone.point).dot(cone.axis) * std::tan(cone.half_angle_rad);
+    };
+    CHECK(cone.point.head<2>() == Vec2(0, 0));
+    CHECK(radius_at(0) == doctest::Approx(design.lower).epsilon(1e-12));
+    CHECK(radius_at(design.height) == doctest::Approx(design.upper).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("a rotated part gets an exactly orthogonal frame of its own") {
   const Mesh mesh = solids::transformed(solids::plate_with_hole(Vec3(5, 4, 0.5), 1.25, 60),
                                         solids::oblique_transform());
