@@ -12,6 +12,7 @@ uniform vec3 box_hi;
 uniform vec4 section;    // as in mesh.vert
 uniform float same;      // crossings nearer to each other than this are one
 uniform float pixel;     // model units, at the distance 1 or, in parallel views, at all
+uniform isamplerBuffer shown;  // as which literal each flat end is shown: six a literal
 uniform usamplerBuffer steps;  // literal, next when inside, next when outside
 uniform uint start;
 uniform usamplerBuffer states;
@@ -64,6 +65,15 @@ int literal_at(float hit) {
     if (matters) return owner[s];
   }
   return max(first, 0);
+}
+
+// Flush ends of several literals are shown as one of them.
+int shown_as(int label, Solid s, vec3 normal) {
+  int kind = int(s.shape.x);
+  bool has_ends = kind == kBox || kind == kCylinder || kind == kPrism;
+  if (!has_ends || (kind != kBox && normal.xy != vec2(0.0))) return label;
+  int axis = normal.x != 0.0 ? 0 : normal.y != 0.0 ? 1 : 2;
+  return texelFetch(shown, 6 * label + 2 * axis + (normal[axis] > 0.0 ? 1 : 0)).r;
 }
 
 struct Ray {
@@ -141,6 +151,7 @@ void main() {
     vec3 local = local_normal(s, to_local(s, ray.origin + hit * ray.direction));
     n = normalize(local.x * s.row[0].xyz + local.y * s.row[1].xyz + local.z * s.row[2].xyz);
     if (dot(n, ray.direction) > 0.0) n = -n;
+    label = shown_as(label, s, local);
   }
   set_depth(ray, hit, n, way + hit);
 #ifdef HAS_IDS

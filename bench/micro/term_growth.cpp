@@ -16,7 +16,7 @@ void grow_terms(benchmark::State& state, const char* file) {
       build_sample_table(part.space, kVolumePoints, part.surfaces.halfspace_of_group, part.run);
   if (!table) return state.SkipWithError(table.error().message.c_str());
   Cells cells = find_cells(*table);
-  add_separating_halfspaces(part.space, part.surfaces, *table, cells, part.run);
+  add_separating_halfspaces(part.space, part.surfaces, *table, cells, ArcCut::Chord, part.run);
   const ColumnTable columns(*table, cells);
   const Combinability combinability(part.surfaces);
   TermGrower grower(columns, combinability);

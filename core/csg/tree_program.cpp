@@ -136,6 +136,7 @@ Result<TreeProgram> encode_tree(const Tree& tree) {
   out.bounds = bounds;
   out.origin = bounds.center();
   for (const Literal& literal : tree.literals) {
+    out.shown.insert(out.shown.end(), 6, static_cast<std::int32_t>(out.literals.size()));
     out.literals.push_back(encode_literal(literal, out.origin));
     out.stretches += literal.kind == SolidKind::Torus ? 2 : 1;
   }

@@ -36,6 +36,8 @@ struct TreeProgram {
   std::vector<ProgramStep> steps;        ///< each goes only to later ones; one per leaf
   std::uint32_t start = kEmpty;          ///< first step, or an answer
   int stretches = 0;  ///< at most so many intervals lie on a ray, over all literals
+  /// As which literal each flat end is shown, six a literal: by axis, the lower end first.
+  std::vector<std::int32_t> shown;
 
   /// The tree's answer where `is_inside[l]` tells whether a point lies inside literal l.
   bool answer(const std::vector<bool>& is_inside) const;

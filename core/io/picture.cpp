@@ -4,7 +4,10 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <map>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include <png.h>
 
@@ -22,8 +25,9 @@ constexpr int kUncoloured = -2;
 struct Hit {
   double depth = kInfinity;
   Vec3 normal = Vec3::Zero();
-  int face = kBackground;    ///< lines are drawn between different ones
-  int colour = kUncoloured;  ///< number of the hue
+  double offset = std::nan("");  ///< of the plane through the hit, of trees
+  int face = kBackground;        ///< lines are drawn between different ones
+  int colour = kUncoloured;      ///< number of the hue
 };
 
 struct Ray {
@@ -158,6 +162,43 @@ Result<Samples> cast_all(const Caster& caster, const Camera& camera, const Pictu
   return samples;
 }
 
+/// Gives each flat face one colour, that of most of it: where operands are flush, chance decides
+/// which one a ray meets first.
+void unify_flat_faces(Samples& samples, double near) {
+  constexpr double kFlat = 1 - 1e-9;
+  const auto is_one_face = [near](const Hit& a, const Hit& b) {
+    return b.face != kBackground && a.normal.dot(b.normal) > kFlat &&
+           std::abs(a.offset - b.offset) < near;
+  };
+  const int columns = samples.columns;
+  std::vector<char> is_seen(samples.hits.size(), 0);
+  std::vector<std::size_t> face;
+  for (std::size_t start = 0; start < samples.hits.size(); ++start) {
+    if (is_seen[start] || samples.hits[start].face == kBackground) continue;
+    face.assign(1, start);
+    is_seen[start] = 1;
+    std::map<std::pair<int, int>, int> shares;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Hit& here = samples.hits[face[i]];
+      ++shares[{here.face, here.colour}];
+      const int x = static_cast<int>(face[i]) % columns;
+      const int y = static_cast<int>(face[i]) / columns;
+      for (const auto& [dx, dy] : {std::pair(-1, 0), {1, 0}, {0, -1}, {0, 1}}) {
+        if (x + dx < 0 || x + dx >= columns || y + dy < 0 || y + dy >= samples.rows) continue;
+        const auto next = static_cast<std::size_t>(y + dy) * columns + (x + dx);
+        if (is_seen[next] || !is_one_face(here, samples.hits[next])) continue;
+        is_seen[next] = 1;
+        face.push_back(next);
+      }
+    }
+    const auto most = std::max_element(shares.begin(), shares.end(),
+                                       [](auto& a, auto& b) { return a.second < b.second; });
+    for (const std::size_t i : face) {
+      std::tie(samples.hits[i].face, samples.hits[i].colour) = most->first;
+    }
+  }
+}
+
 /// The share of the 3 x 3 neighbourhood that lies across an edge, as a soft line about two
 /// samples wide.
 double line_weight(const Samples& samples, int x, int y, double depth_step) {
@@ -209,6 +250,7 @@ Result<Image> render(const Caster& caster, const Box3& scene, const PictureOptio
   const Camera camera(scene, options);
   auto samples = cast_all(caster, camera, options, run);
   if (!samples) return samples.error();
+  unify_flat_faces(*samples, 1e-6 * scene.diagonal());
   return resolve(*samples, camera, 0.02 * scene.diagonal(), options, run);
 }
 
@@ -273,7 +315,9 @@ Result<Image> render_tree(const Tree& tree, const Box3& scene, const PictureOpti
     if (stretches.empty()) return hit;
     const TreeCrossing& first = stretches.front().enter;
     hit.depth = first.t;
-    hit.normal = rays.normal(first, ray.origin + first.t * ray.direction, ray.direction);
+    const Vec3 position = ray.origin + first.t * ray.direction;
+    hit.normal = rays.normal(first, position, ray.direction);
+    hit.offset = hit.normal.dot(position);
     hit.face = 8 * (first.literal + 1) + first.face;
     hit.colour = first.literal;
     return hit;

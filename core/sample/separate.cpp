@@ -1,7 +1,9 @@
 #include "core/sample/separate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/compute/parallel.h"
 
@@ -21,6 +23,8 @@ constexpr double kAngleStep = kPi / 12;
 constexpr double kExactlyAcross = 1e-12;
 /// What a plane of a new direction counts beside one along or across the part's own surfaces.
 constexpr double kNewDirection = 0.85;
+/// What two planes count beside one.
+constexpr double kTwoPlanes = 0.95;
 constexpr double kOpenArc = 0.4;  // rad; a smaller gap is a closed turn
 
 /// Collects candidate halfspaces without repeating any.
@@ -29,8 +33,8 @@ class CandidatePool {
   CandidatePool(const SampleSpace& space, SurfaceSet& surfaces)
       : diagonal_(space.diagonal), surfaces_(&surfaces) {}
 
-  void add_plane(const Vec3& normal, double offset) {
-    add_plane_along(direction_of(normal, kSameDirection), normal, offset);
+  int add_plane(const Vec3& normal, double offset) {
+    return add_plane_along(direction_of(normal, kSameDirection), normal, offset);
   }
 
   void add_plane_through(const Vec3& normal, const Vec3& point) {
@@ -40,15 +44,15 @@ class CandidatePool {
   /// A plane that a surface along `axis` implies: across the axis, or containing it. Its normal is
   /// only as certain as the surface's `extent` tells, so it snaps to a known direction, or to a
   /// multiple of 15 degrees from one.
-  void add_snapped_plane(const Vec3& normal, const Vec3& point, const Vec3& axis, double extent) {
+  int add_snapped_plane(const Vec3& normal, const Vec3& point, const Vec3& axis, double extent) {
     const double shift = kMaxShift * diagonal_;
     const double turn = std::clamp(shift / std::max(extent, 1e-300), kSameDirection, kMaxTurn);
     const int direction = direction_of(snapped(normal, axis, turn), turn);
     const Vec3& snapped_normal = surfaces_->directions[direction];
-    add_plane_along(direction, snapped_normal, snapped_normal.dot(point));
+    return add_plane_along(direction, snapped_normal, snapped_normal.dot(point));
   }
 
-  void add_plane_along(int direction, const Vec3& normal, double offset) {
+  int add_plane_along(int direction, const Vec3& normal, double offset) {
     Halfspace h;
     h.is_separating = true;
     h.tolerance = 1e-6 * diagonal_;
@@ -56,7 +60,11 @@ class CandidatePool {
     h.surface.kind = SurfaceKind::Plane;
     h.surface.axis = surfaces_->directions[direction];
     h.surface.offset = h.surface.axis.dot(normal) < 0 ? -offset : offset;
-    if (!is_known(surfaces_->halfspaces, h) && !is_known(pool_, h)) pool_.push_back(h);
+    if (find(surfaces_->halfspaces, h) >= 0) return -1;
+    const int known = find(pool_, h);
+    if (known >= 0) return known;
+    pool_.push_back(h);
+    return static_cast<int>(pool_.size()) - 1;
   }
 
   void add_cylinder(const Halfspace& torus) {
@@ -69,9 +77,17 @@ class CandidatePool {
     pool_.push_back(h);
   }
 
-  std::vector<Halfspace> take() {
+  /// Two planes that only together cut off what lies beyond an arc.
+  void add_pair(int a, int b) {
+    if (a >= 0 && b >= 0 && a != b) pairs_.push_back({a, b});
+  }
+
+  SeparatingCandidates take() {
     if (pool_.size() > kMaxCandidates) pool_.resize(kMaxCandidates);
-    return std::move(pool_);
+    std::erase_if(pairs_, [this](const std::array<int, 2>& pair) {
+      return std::max(pair[0], pair[1]) >= static_cast<int>(pool_.size());
+    });
+    return {std::move(pool_), std::move(pairs_)};
   }
 
  private:
@@ -104,16 +120,19 @@ class CandidatePool {
     return normal;
   }
 
-  bool is_known(const std::vector<Halfspace>& list, const Halfspace& plane) const {
-    return std::any_of(list.begin(), list.end(), [&](const Halfspace& h) {
+  /// Index of a plane in the list, or -1.
+  int find(const std::vector<Halfspace>& list, const Halfspace& plane) const {
+    const auto same = std::find_if(list.begin(), list.end(), [&](const Halfspace& h) {
       return h.surface.kind == SurfaceKind::Plane && h.direction == plane.direction &&
              std::abs(h.surface.offset - plane.surface.offset) < kSamePlane * diagonal_;
     });
+    return same == list.end() ? -1 : static_cast<int>(same - list.begin());
   }
 
   double diagonal_;
   SurfaceSet* surfaces_;
   std::vector<Halfspace> pool_;
+  std::vector<std::array<int, 2>> pairs_;
 };
 
 std::vector<Vec3> group_vertices(const Mesh& mesh, const FaceGroup& group) {
@@ -170,14 +189,16 @@ void add_arc_planes(CandidatePool& pool, const Surface& s, const std::vector<Vec
   double extent = 0;
   for (const Vec3& p : points) extent = std::max(extent, s.axis.cross(p - s.point).norm());
   Vec3 rim[2];
+  int radial[2];
   for (int k = 0; k < 2; ++k) {
     const Vec3 outward = frame.u * std::cos(ends[k]) + frame.w * std::sin(ends[k]);
-    pool.add_snapped_plane(s.axis.cross(outward), s.point, s.axis, extent);
+    radial[k] = pool.add_snapped_plane(s.axis.cross(outward), s.point, s.axis, extent);
     if (s.kind == SurfaceKind::Cylinder) {
       pool.add_snapped_plane(outward, s.point, s.axis, extent);
     }
     rim[k] = s.point + outward * (s.kind == SurfaceKind::Torus ? s.major_radius : s.radius);
   }
+  pool.add_pair(radial[0], radial[1]);
   if (s.kind == SurfaceKind::Cone) return;
   const Vec3 chord_normal = s.axis.cross(rim[1] - rim[0]);
   if (chord_normal.norm() > 1e-6 * (rim[1] - rim[0]).norm() && (rim[1] - rim[0]).norm() > 0) {
@@ -232,29 +253,63 @@ Conflict gather_conflict(const SampleTable& table, const Cells& cells,
   return c;
 }
 
-/// Conflicting points that candidate `k` would resolve.
-long resolved_by(const Conflict& conflict, std::size_t k, const SampleTable& table,
+/// One candidate, or two that are added together.
+struct Choice {
+  std::array<int, 2> candidates = {-1, -1};
+  double weight = 1;  ///< of the points that it resolves
+};
+
+/// Conflicting points that a choice would resolve. `counts` is scratch memory.
+long resolved_by(const Conflict& conflict, const Choice& choice, const SampleTable& table,
                  const Cells& cells, std::vector<int>& counts) {
-  // counts[2 * cell + label]: points on the inner side
-  counts.assign(2 * cells.size(), 0);
-  for_each_bit(conflict.sides[k], [&](std::size_t i) {
+  // By cell, the part of it that the planes cut off, and label.
+  counts.assign(8 * cells.size(), 0);
+  const Word* first = conflict.sides[static_cast<std::size_t>(choice.candidates[0])].data();
+  const Word* second = choice.candidates[1] < 0
+                           ? nullptr
+                           : conflict.sides[static_cast<std::size_t>(choice.candidates[1])].data();
+  for (std::size_t i = 0; i < conflict.points.size(); ++i) {
     const std::size_t p = conflict.points[i];
-    ++counts[2 * static_cast<std::size_t>(cells.cell_of_point[p]) + (table.is_inside[p] ? 1 : 0)];
-  });
+    const std::size_t part =
+        (test_bit(first, i) ? 1U : 0U) + (second != nullptr && test_bit(second, i) ? 2U : 0U);
+    ++counts[8 * static_cast<std::size_t>(cells.cell_of_point[p]) + 2 * part +
+             (table.is_inside[p] ? 1U : 0U)];
+  }
   long total = 0;
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    const int in = counts[2 * c + 1];
-    const int out = counts[2 * c];
-    if (in + out == 0) continue;
-    total += std::min(cells.inside_count[c], cells.outside_count[c]) - std::min(in, out) -
-             std::min(cells.inside_count[c] - in, cells.outside_count[c] - out);
+    int all[2] = {0, 0};
+    for (std::size_t part = 0; part < 4; ++part) {
+      const int* of_part = &counts[8 * c + 2 * part];
+      all[0] += of_part[0];
+      all[1] += of_part[1];
+      total -= std::min(of_part[0], of_part[1]);
+    }
+    total += std::min(all[0], all[1]);
   }
   return total;
 }
 
+/// Every candidate on its own, and the pairs whose planes lie along or across the part's own
+/// surfaces.
+std::vector<Choice> choices_among(const SeparatingCandidates& found, int own_directions,
+                                  ArcCut cut) {
+  const auto is_own = [&](int k) {
+    return found.halfspaces[static_cast<std::size_t>(k)].direction < own_directions;
+  };
+  std::vector<Choice> choices;
+  for (int k = 0; k < static_cast<int>(found.halfspaces.size()); ++k) {
+    choices.push_back({{k, -1}, is_own(k) ? 1 : kNewDirection});
+  }
+  if (cut == ArcCut::Chord) return choices;
+  for (const auto& [a, b] : found.pairs) {
+    if (is_own(a) && is_own(b)) choices.push_back({{a, b}, kTwoPlanes});
+  }
+  return choices;
+}
+
 }  // namespace
 
-std::vector<Halfspace> separating_candidates(const SampleSpace& space, SurfaceSet& surfaces) {
+SeparatingCandidates separating_candidates(const SampleSpace& space, SurfaceSet& surfaces) {
   CandidatePool pool(space, surfaces);
   const auto end = surfaces.directions.begin() +
                    static_cast<long>(std::min(surfaces.directions.size(), kMaxAxisDirections));
@@ -275,35 +330,39 @@ std::vector<Halfspace> separating_candidates(const SampleSpace& space, SurfaceSe
   return pool.take();
 }
 
-int add_separating_halfspaces(const SampleSpace& space, SurfaceSet& surfaces, SampleTable& table,
-                              Cells& cells, const RunContext& run) {
+Separation add_separating_halfspaces(const SampleSpace& space, SurfaceSet& surfaces,
+                                     SampleTable& table, Cells& cells, ArcCut cut,
+                                     const RunContext& run) {
   const auto points = static_cast<double>(table.size());
   const auto share = [&] { return static_cast<double>(cells.conflicting_points()) / points; };
-  if (share() < kWorthLooking) return 0;
+  if (share() < kWorthLooking) return {};
   const int own_directions = static_cast<int>(surfaces.directions.size());
-  std::vector<Halfspace> candidates = separating_candidates(space, surfaces);
-  const Conflict conflict = gather_conflict(table, cells, candidates, run);
-  int added = 0;
-  while (added < kMaxAdded && share() >= kGoodEnough && !run.is_cancelled()) {
-    std::vector<long> resolved(candidates.size(), 0);
-    for_each_chunk(run.threads, candidates.size(), 64, [&](std::size_t begin, std::size_t end) {
+  const SeparatingCandidates found = separating_candidates(space, surfaces);
+  const std::vector<Choice> choices = choices_among(found, own_directions, cut);
+  const Conflict conflict = gather_conflict(table, cells, found.halfspaces, run);
+  Separation done;
+  while (done.added < kMaxAdded && share() >= kGoodEnough && !run.is_cancelled()) {
+    std::vector<double> resolved(choices.size(), 0);
+    for_each_chunk(run.threads, choices.size(), 64, [&](std::size_t begin, std::size_t end) {
       std::vector<int> counts;
       for (std::size_t k = begin; k < end; ++k) {
-        resolved[k] = resolved_by(conflict, k, table, cells, counts);
+        resolved[k] = choices[k].weight *
+                      static_cast<double>(resolved_by(conflict, choices[k], table, cells, counts));
       }
     });
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-      if (candidates[k].direction < own_directions) continue;
-      resolved[k] = static_cast<long>(static_cast<double>(resolved[k]) * kNewDirection);
-    }
     const auto best = std::max_element(resolved.begin(), resolved.end());
-    if (best == resolved.end() || static_cast<double>(*best) < std::max(2.0, 2e-5 * points)) break;
-    surfaces.halfspaces.push_back(candidates[static_cast<std::size_t>(best - resolved.begin())]);
+    if (best == resolved.end() || *best < std::max(2.0, 2e-5 * points)) break;
+    const Choice& choice = choices[static_cast<std::size_t>(best - resolved.begin())];
+    for (const int k : choice.candidates) {
+      if (k < 0) continue;
+      surfaces.halfspaces.push_back(found.halfspaces[static_cast<std::size_t>(k)]);
+      ++done.added;
+    }
+    done.corners += choice.candidates[1] < 0 ? 0 : 1;
     append_halfspaces(table, surfaces.halfspaces, run);
     cells = find_cells(table, run);
-    ++added;
   }
-  return added;
+  return done;
 }
 
 }  // namespace hewn

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "core/compute/parallel.h"
 #include "core/io/stl.h"
-#include "core/segment/triangle_topology.h"
+#include "core/session/flat_faces.h"
 #include "core/session/score.h"
 
 namespace hewn {
@@ -64,33 +63,6 @@ void settle_coincident(const Tree& tree, const TreeProgram& program, const Mesh&
   });
 }
 
-/// Gives each flat face one label, that of most of its area: coplanar faces of several literals are
-/// tessellated together, in triangles that belong to none of them alone.
-void unify_flat_faces(const Mesh& mesh, std::vector<int>& labels) {
-  constexpr double kFlat = 1 - 1e-7;
-  const TriangleTopology topology = build_topology(mesh);
-  std::vector<char> seen(labels.size(), 0);
-  std::vector<int> face;
-  for (std::size_t start = 0; start < labels.size(); ++start) {
-    if (seen[start]) continue;
-    face.assign(1, static_cast<int>(start));
-    seen[start] = 1;
-    std::map<int, double> areas;
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      const int t = face[i];
-      areas[labels[t]] += mesh.areas[t];
-      for (const int next : topology.neighbors[t]) {
-        if (next < 0 || seen[next] || mesh.normals[next].dot(mesh.normals[t]) < kFlat) continue;
-        seen[next] = 1;
-        face.push_back(next);
-      }
-    }
-    const auto most = std::max_element(areas.begin(), areas.end(),
-                                       [](auto& a, auto& b) { return a.second < b.second; });
-    for (const int t : face) labels[t] = most->first;
-  }
-}
-
 std::vector<double> vertex_deviations(const Tree& tree, const Mesh& mesh, const RunContext& run) {
   std::vector<double> values(mesh.vertices.size(), 0);
   constexpr std::size_t kGrain = 64;
@@ -109,21 +81,23 @@ std::vector<double> vertex_deviations(const Tree& tree, const Mesh& mesh, const 
 Result<ResultView> build_result_view(const Reconstruction& found, const RunContext& run) {
   ResultView view;
   const Mesh& mesh = *found.prepared.mesh;
-  if (auto program = encode_tree(found.tree)) {
-    view.program = std::make_shared<const TreeProgram>(std::move(*program));
-  } else {
-    view.program_problem = program.error().message;
-  }
+  auto program = encode_tree(found.tree);
   run.report("tessellate", 0);
   auto surface = tessellate(found.tree, TessellationOptions{}, run);
   if (run.is_cancelled()) return RunContext::cancelled();
   if (surface) {
     std::vector<int> labels = nearest_literals(found.tree, *surface, run);
-    if (view.program) settle_coincident(found.tree, *view.program, *surface, labels, run);
-    unify_flat_faces(*surface, labels);
+    if (program) settle_coincident(found.tree, *program, *surface, labels, run);
+    const std::vector<FlatFace> faces = unify_flat_faces(*surface, labels);
+    if (program) program->shown = shown_labels(found.tree, faces, 1e-6 * mesh.diagonal());
     view.surface = build_display_mesh(*surface, labels);
   } else {
     view.problem = "the result cannot be shown as a surface: " + surface.error().message;
+  }
+  if (program) {
+    view.program = std::make_shared<const TreeProgram>(std::move(*program));
+  } else {
+    view.program_problem = program.error().message;
   }
   run.report("measure", 0.5);
   std::vector<int> labels = nearest_literals(found.tree, mesh, run);

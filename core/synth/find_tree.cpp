@@ -30,6 +30,11 @@ constexpr double kDensifyReach = 0.01;  // of the diagonal
 /// More surfaces than any design has: the mesh is free-form or hopelessly noisy.
 constexpr std::size_t kMaxHalfspaces = 1500;
 constexpr double kOnBox = 3e-4;  // of the diagonal: a halfspace that is a side of the box
+/// What a primitive at an angle that no surface of the part has counts more than another one: its
+/// dimensions are none that a person would type.
+constexpr double kOddAngle = 1;
+/// Halfspaces of a problem that is searched twice for the sake of its dimensions.
+constexpr std::size_t kMostSearchedTwice = 50;
 
 /// The halfspaces that a partition may use: its own groups' and those without groups (cut planes).
 SurfaceSet select_surfaces(const SurfaceSet& all, const Labeller& label) {
@@ -67,13 +72,19 @@ std::vector<int> triangles_of(const Segmentation& segmentation, const std::vecto
 
 class TreeSearch {
  public:
-  TreeSearch(const TreeProblem& problem, const TreeSearchOptions& options, const RunContext& run)
+  static constexpr double kProgressBegin = 0.2;
+  static constexpr double kProgressEnd = 0.9;
+
+  TreeSearch(const TreeProblem& problem, const TreeSearchOptions& options, ArcCut cut,
+             const RunContext& run)
       : problem_(problem),
         options_(options),
+        cut_(cut),
         run_(run),
         label_(*problem.query, *problem.segmentation, problem.groups, problem.is_subtracted),
         surfaces_(select_surfaces(*problem.surfaces, label_)),
-        triangles_(triangles_of(*problem.segmentation, problem.groups)) {
+        triangles_(triangles_of(*problem.segmentation, problem.groups)),
+        own_directions_(static_cast<int>(surfaces_.directions.size())) {
     label_.ignore(problem.ignored);
     space_.label = &label_;
     space_.segmentation = problem.segmentation;
@@ -115,9 +126,39 @@ class TreeSearch {
     return finish();
   }
 
+  bool has_cut_corners() const { return corners_ > 0; }
+
+  /// Requires: both have found a tree.
+  bool is_better_than(const TreeSearch& other) const {
+    if (std::abs(best_error_ - other.best_error_) >= kSameError) {
+      return best_error_ < other.best_error_;
+    }
+    return weight() < other.weight();
+  }
+
+  void show_progress_in(double begin, double end) {
+    progress_begin_ = begin;
+    progress_end_ = end;
+  }
+
  private:
   void separate() {
-    answer_.separating += add_separating_halfspaces(space_, surfaces_, table_, cells_, run_);
+    const Separation done =
+        add_separating_halfspaces(space_, surfaces_, table_, cells_, cut_, run_);
+    answer_.separating += done.added;
+    corners_ += done.corners;
+  }
+
+  double weight() const {
+    const auto has_odd_angle = [this](const TermPtr& item) {
+      return std::any_of(item->literals.begin(), item->literals.end(), [this](const auto& l) {
+        return surfaces_.halfspaces[static_cast<std::size_t>(l.halfspace)].direction >=
+               own_directions_;
+      });
+    };
+    const auto& items = best_->list.items;
+    return best_->cost() + kOddAngle * static_cast<double>(std::count_if(items.begin(), items.end(),
+                                                                         has_odd_angle));
   }
 
   /// Everything that depends on the cells.
@@ -188,7 +229,8 @@ class TreeSearch {
 
   /// Rounds are seldom all needed, but none is known to be the last.
   double share_done(int round, double of_round) const {
-    return 0.2 + 0.7 * (round + of_round) / (last_round() + 1);
+    const double done = (round + of_round) / (last_round() + 1);
+    return progress_begin_ + (progress_end_ - progress_begin_) * done;
   }
 
   std::uint64_t stream(int round, int task) const {
@@ -275,10 +317,14 @@ class TreeSearch {
 
   const TreeProblem& problem_;
   const TreeSearchOptions& options_;
+  ArcCut cut_;
   const RunContext& run_;
   Labeller label_;
   SurfaceSet surfaces_;
   std::vector<int> triangles_;
+  int own_directions_;  ///< those after them come with separating halfspaces
+  int corners_ = 0;     ///< cut off by pairs of planes
+  double progress_begin_ = kProgressBegin, progress_end_ = kProgressEnd;
   SampleSpace space_;
   SampleTable table_;
   Cells cells_;
@@ -318,7 +364,20 @@ std::span<const OptionField<TreeSearchOptions>> option_table<TreeSearchOptions>(
 
 Result<TreeAnswer> find_tree(const TreeProblem& problem, const TreeSearchOptions& options,
                              const RunContext& run) {
-  return TreeSearch(problem, options, run).find();
+  if (problem.surfaces->halfspaces.size() > kMostSearchedTwice) {
+    return TreeSearch(problem, options, ArcCut::Chord, run).find();
+  }
+  constexpr double kBetween = 0.6;  // of the progress
+  TreeSearch corners(problem, options, ArcCut::Corner, run);
+  corners.show_progress_in(TreeSearch::kProgressBegin, kBetween);
+  Result<TreeAnswer> answer = corners.find();
+  if (!corners.has_cut_corners() || run.should_stop()) return answer;
+  TreeSearch chords(problem, options, ArcCut::Chord, run);
+  chords.show_progress_in(kBetween, TreeSearch::kProgressEnd);
+  Result<TreeAnswer> other = chords.find();
+  if (!answer || (!other && other.error().code == ErrorCode::Cancelled)) return other;
+  if (!other || corners.is_better_than(chords)) return answer;
+  return other;
 }
 
 }  // namespace hewn

@@ -60,7 +60,9 @@ struct TreeAnswer {
 };
 
 /// Finds a small tree for the problem: a decision list of terms on bit columns, refined by large
-/// neighbourhood search and counterexamples (docs/architecture.md).
+/// neighbourhood search and counterexamples (docs/architecture.md). Where roundings can be told
+/// apart by planes at odd angles or by ones along the part, smaller problems are searched with
+/// both, and a primitive at an odd angle counts like two.
 /// Fails with: NotFound (no halfspaces, or contradictory labels), Cancelled.
 /// Deterministic for any number of threads.
 Result<TreeAnswer> find_tree(const TreeProblem& problem, const TreeSearchOptions& options,

@@ -72,11 +72,14 @@ std::string GpuTree::upload(const TreeProgram* program) {
     array_ = make_vertex_array();
     literal_buffer_ = make_buffer();
     step_buffer_ = make_buffer();
+    shown_buffer_ = make_buffer();
     literal_texture_ = make_texture();
     step_texture_ = make_texture();
+    shown_texture_ = make_texture();
   }
   fill(literal_buffer_, literal_texture_, GL_RGBA32F, program->literals);
   fill(step_buffer_, step_texture_, GL_RGBA32UI, program->steps);
+  fill(shown_buffer_, shown_texture_, GL_R32I, program->shown);
   program_ = *program;
   return {};
 }
@@ -101,8 +104,10 @@ void GpuTree::draw_with(const GlProgram& shader, const View& view) const {
   uniforms.set("states", 0);
   uniforms.set("literals", 1);
   uniforms.set("steps", 2);
-  const GLuint textures[] = {view.states, literal_texture_.get(), step_texture_.get()};
-  for (GLenum unit = 3; unit-- > 0;) {  // unit 0 stays the active one
+  uniforms.set("shown", 3);
+  const GLuint textures[] = {view.states, literal_texture_.get(), step_texture_.get(),
+                             shown_texture_.get()};
+  for (GLenum unit = 4; unit-- > 0;) {  // unit 0 stays the active one
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_BUFFER, textures[unit]);
   }

@@ -33,8 +33,8 @@ class GpuTree {
   GlProgram picture_, ids_;
   int capacity_ = 0;  ///< stretches that the shaders hold
   GlVertexArray array_;
-  GlBuffer literal_buffer_, step_buffer_;
-  GlTexture literal_texture_, step_texture_;
+  GlBuffer literal_buffer_, step_buffer_, shown_buffer_;
+  GlTexture literal_texture_, step_texture_, shown_texture_;
 };
 
 }  // namespace hewn

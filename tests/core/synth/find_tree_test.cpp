@@ -44,6 +44,20 @@ TEST_CASE("the exact dimensions are recovered") {
   }
 }
 
+TEST_CASE("a rounded edge is built from boxes along the part") {
+  const solids::PartProblem part(solids::block_with_fillet({6, 5, 4}, 1.5, 16));
+  const TreeAnswer answer = find(part);
+  CHECK(literal_count(answer.tree) == 3);
+  for (const Literal& l : answer.tree.literals) {
+    if (l.kind == SolidKind::Cylinder) CHECK(l.radius == doctest::Approx(1.5).epsilon(1e-9));
+    if (l.kind != SolidKind::Box) continue;
+    for (int k = 0; k < 9; ++k) {
+      const double c = std::abs(l.rotation(k / 3, k % 3));
+      CHECK((c < 1e-12 || std::abs(c - 1) < 1e-12));
+    }
+  }
+}
+
 TEST_CASE("the tree is the same for any number of threads") {
   const auto literals_with = [](int threads) {
     solids::PartProblem part(solids::block_with_fillet({6, 5, 4}, 1.5, 12));

@@ -15,7 +15,9 @@ struct SearchFixture {
       : part(std::move(mesh)),
         table(*build_sample_table(part.space, 6000, part.surfaces.halfspace_of_group, part.run)),
         cells(find_cells(table)),
-        separating(add_separating_halfspaces(part.space, part.surfaces, table, cells, part.run)),
+        separating(add_separating_halfspaces(part.space, part.surfaces, table, cells, ArcCut::Chord,
+                                             part.run)
+                       .added),
         columns(table, cells),
         combinability(part.surfaces) {
     space.columns = &columns;
