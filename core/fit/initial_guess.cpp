@@ -54,7 +54,7 @@ PatchFrame frame_of(const Patch& patch) {
     f.normal_moment += n * n.transpose();
     f.mean_normal += n;
   }
-  const double count = static_cast<double>(patch.normals.size());
+  const auto count = static_cast<double>(patch.normals.size());
   f.normal_moment /= count;
   f.mean_normal /= count;
   return f;

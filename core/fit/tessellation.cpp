@@ -129,7 +129,7 @@ SphereTessellation detect_sphere_tessellation(const Surface& sphere, const std::
       for (const int v : mesh.triangles[t]) {
         const double d = sphere.signed_distance(mesh.vertices[v]);
         if (std::abs(d) > kOnSphere * mesh.diagonal()) continue;
-        directions.push_back((mesh.vertices[v] - sphere.point) / sphere.radius);
+        directions.emplace_back((mesh.vertices[v] - sphere.point) / sphere.radius);
       }
     }
   }

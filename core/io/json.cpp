@@ -114,11 +114,11 @@ Json to_json(const Tree& tree, int index) {
 /// Reads one document; the first fault is kept and stops the rest.
 class TreeReader {
  public:
-  explicit TreeReader(const std::string& source) : source_(source) {}
+  explicit TreeReader(std::string source) : source_(std::move(source)) {}
 
   Result<Tree> run(const Json& document) {
     if (!document.is_object() || text_of(document, "format") != kFormat) {
-      fail("", "this is not a tree: a JSON object with \"format\": \"hewn-tree\" is needed");
+      fail("", R"(this is not a tree: a JSON object with "format": "hewn-tree" is needed)");
     } else if (const int version = integer(document, "", "version"); !fault_) {
       if (version != kTreeJsonVersion) {
         fail("/version", fmt::format("version {} is unknown; this program reads version {}",
@@ -283,7 +283,7 @@ class TreeReader {
   }
 
   Mat3 rotation(const Json& value, const std::string& path) {
-    const Mat3 m = matrix(value, path, "rotation");
+    Mat3 m = matrix(value, path, "rotation");
     const std::string here = path + "/rotation";
     const double error = (m.transpose() * m - Mat3::Identity()).cwiseAbs().maxCoeff();
     if (!fault_ && !(error < 1e-6)) fail(here, "the rows must be unit vectors at right angles");

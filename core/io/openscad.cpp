@@ -97,7 +97,8 @@ class ScadWriter {
   }
 
   static std::string pad(int level) {
-    return std::string(static_cast<std::size_t>(level * kIndent), ' ');
+    std::string spaces(static_cast<std::size_t>(level) * kIndent, ' ');
+    return spaces;
   }
 
   /// Statements for siblings under one prefix such as "rotate([0, 0, 30]) ".

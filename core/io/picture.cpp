@@ -328,11 +328,12 @@ Result<Image> render_tree(const Tree& tree, const Box3& scene, const PictureOpti
 Image side_by_side(const Image& left, const Image& right) {
   Image both{left.width + right.width, std::min(left.height, right.height), {}};
   both.rgb.resize(static_cast<std::size_t>(3) * both.width * both.height);
-  for (int row = 0; row < both.height; ++row) {
-    std::uint8_t* out = &both.rgb[static_cast<std::size_t>(3) * row * both.width];
-    std::memcpy(out, &left.rgb[static_cast<std::size_t>(3) * row * left.width], 3 * left.width);
-    std::memcpy(out + 3 * left.width, &right.rgb[static_cast<std::size_t>(3) * row * right.width],
-                3 * right.width);
+  const auto left_bytes = static_cast<std::size_t>(left.width) * 3;
+  const auto right_bytes = static_cast<std::size_t>(right.width) * 3;
+  for (std::size_t row = 0; row < static_cast<std::size_t>(both.height); ++row) {
+    std::uint8_t* out = &both.rgb[row * (left_bytes + right_bytes)];
+    std::memcpy(out, &left.rgb[row * left_bytes], left_bytes);
+    std::memcpy(out + left_bytes, &right.rgb[row * right_bytes], right_bytes);
   }
   return both;
 }

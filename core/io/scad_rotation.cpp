@@ -70,7 +70,7 @@ class FrameFinder {
  public:
   FrameFinder(const std::vector<Literal>& literals, double tolerance)
       : literals_(literals), tolerance_(tolerance) {
-    set_.frames.push_back(Mat3::Identity());
+    set_.frames.emplace_back(Mat3::Identity());
   }
 
   FrameSet run() {

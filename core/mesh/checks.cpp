@@ -14,6 +14,7 @@ int count_loops(const std::vector<EdgeSide>& boundary, std::size_t vertices) {
   IndexGroups groups(vertices);
   for (const EdgeSide& side : boundary) groups.join(side.low(), side.high());
   std::vector<int> roots;
+  roots.reserve(boundary.size());
   for (const EdgeSide& side : boundary) roots.push_back(groups.root(side.low()));
   std::sort(roots.begin(), roots.end());
   return static_cast<int>(std::unique(roots.begin(), roots.end()) - roots.begin());

@@ -158,7 +158,8 @@ Shell make_shell(const Soup& soup, const Patches& patches, int patch) {
   }
   const std::size_t step = std::max<std::size_t>(1, own.size() / kProbes);
   for (std::size_t t = 0; t < own.size(); t += step) {
-    shell.probes.push_back((vertices[own[t][0]] + vertices[own[t][1]] + vertices[own[t][2]]) / 3);
+    shell.probes.emplace_back((vertices[own[t][0]] + vertices[own[t][1]] + vertices[own[t][2]]) /
+                              3);
   }
   Mesh mesh = make_mesh(std::move(vertices), std::move(own));
   if (mesh.volume < 0) {  // inside tests count windings: the shell must look outward
@@ -197,6 +198,7 @@ std::vector<int> nesting_depths(const Soup& soup, const Patches& patches,
   std::vector<int> depths(closed.size(), 0);
   if (closed.size() < 2 || static_cast<int>(closed.size()) > kMaxShells) return depths;
   std::vector<Shell> shells;
+  shells.reserve(closed.size());
   for (const int patch : closed) shells.push_back(make_shell(soup, patches, patch));
   for (std::size_t i = 0; i < shells.size(); ++i) {
     for (std::size_t j = 0; j < shells.size(); ++j) {

@@ -191,9 +191,9 @@ class PlyReader {
       if (element.properties.empty() && element.count > 0) {
         return bad(fmt::format("element {} has no property", quote_field(element.name)));
       }
-      const auto ok = check_count({element.name == "face" ? "faces" : element.name,
-                                   static_cast<double>(element.count), min_bytes, here()},
-                                  input_);
+      auto ok = check_count({element.name == "face" ? "faces" : element.name,
+                             static_cast<double>(element.count), min_bytes, here()},
+                            input_);
       if (!ok) return ok;
       if (element.name == "vertex") vertex_count_ = element.count;
     }

@@ -19,7 +19,7 @@ bool is_inside(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c) {
 /// The polygon seen along its mean normal (Newell), counter-clockwise.
 std::vector<Vec2> flatten(const std::vector<Vec3>& vertices, const std::vector<int>& loop) {
   Vec3 normal = Vec3::Zero();
-  const Vec3 origin = vertices[loop[0]];
+  const Vec3& origin = vertices[loop[0]];
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Vec3 a = vertices[loop[i]] - origin;
     normal += a.cross(vertices[loop[(i + 1) % loop.size()]] - origin);

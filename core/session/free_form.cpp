@@ -82,6 +82,7 @@ Literal literal_of(const Box3& box, const Frame& frame) {
 
 int add_boxes(Tree& tree, const std::vector<Box3>& boxes, const Frame& frame) {
   std::vector<int> nodes;
+  nodes.reserve(boxes.size());
   for (const Box3& box : boxes) nodes.push_back(tree.add_literal(literal_of(box, frame)));
   return nodes.size() == 1 ? nodes[0] : tree.add_node(Op::Union, std::move(nodes));
 }
@@ -91,6 +92,7 @@ Tree with_mesh_in(const std::vector<Box3>& boxes, Tree tree, const PreparedMesh&
                   const Frame& frame, double overlap) {
   const int rest = tree.add_node(Op::Difference, {tree.root, add_boxes(tree, boxes, frame)});
   std::vector<Box3> wider;
+  wider.reserve(boxes.size());
   for (const Box3& box : boxes) wider.push_back(grown(box, overlap));
   Literal mesh;
   mesh.kind = SolidKind::Polyhedron;
@@ -161,6 +163,7 @@ Result<FreeFormAnswer> find_tree_beside(const std::vector<FreeFormPatch>& patche
 
   const Frame frame = find_frame(mesh, {}, *surfaces);
   std::vector<Box3> boxes;
+  boxes.reserve(patches.size());
   for (const FreeFormPatch& patch : patches) {
     boxes.push_back(grown(bounds_in(frame, mesh, segmentation, patch), kMargin * mesh.diagonal()));
   }

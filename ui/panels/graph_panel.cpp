@@ -125,6 +125,12 @@ void draw_box(const Ui& ui, const Tree& tree, const GraphNode& node, const Canva
                ImGui::GetColorU32(ui.theme.text), graph_text(tree, node.node).c_str());
 }
 
+/// Whether the box itself says what a tooltip would.
+bool is_readable(const Tree& tree, const GraphNode& node, const Canvas& canvas) {
+  return tree.nodes[node.node].op == Op::Literal &&
+         ImGui::GetFontSize() * canvas.zoom >= kReadable_px;
+}
+
 }  // namespace
 
 void draw_graph(Ui& ui, const Tree& tree) {
@@ -153,7 +159,9 @@ void draw_graph(Ui& ui, const Tree& tree) {
   if (over && !is_dragged) {
     hover_node(ui, tree, over->node);
     if (ImGui::IsMouseClicked(0)) pick_node(ui, tree, over->node);
-    ImGui::SetTooltip("%s", node_text(tree, over->node).c_str());
+    if (!is_readable(tree, *over, canvas)) {
+      ImGui::SetTooltip("%s", node_text(tree, over->node).c_str());
+    }
   }
   ImGui::PushClipRect(at, {at.x + size.x, at.y + size.y}, true);
   for (const GraphNode& node : graph.nodes) draw_edge(ui, tree, graph, node, canvas);

@@ -52,7 +52,7 @@ bool ScadLexer::skip_blanks(ScadToken& token) {
 void ScadLexer::read_number(ScadToken& token) {
   const char* begin = text_.data() + place_.offset;
   const auto [end, fault] = std::from_chars(begin, text_.data() + text_.size(), token.number);
-  std::size_t length = static_cast<std::size_t>(end - begin);
+  auto length = static_cast<std::size_t>(end - begin);
   if (fault != std::errc() || !std::isfinite(token.number) || is_word_start(at(length))) {
     token.kind = ScadTokenKind::Bad;
     token.problem = "this is no finite number";

@@ -41,7 +41,7 @@ namespace {
 /// Recursive descent; the first fault is kept and stops the rest.
 class ScadParser {
  public:
-  ScadParser(std::string_view text, const std::string& source) : lexer_(text), source_(source) {
+  ScadParser(std::string_view text, std::string source) : lexer_(text), source_(std::move(source)) {
     step();
   }
 

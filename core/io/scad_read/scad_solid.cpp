@@ -20,12 +20,12 @@ Mesh faceted_cone(int sides, double bottom, double top, double height) {
   std::vector<Vec3> vertices;
   const auto ring = [&](double radius, double z) {
     if (radius == 0) {
-      vertices.push_back(Vec3(0, 0, z));
+      vertices.emplace_back(0, 0, z);
       return;
     }
     for (int k = 0; k < sides; ++k) {
       const double angle = 2 * kPi * k / sides;
-      vertices.push_back(Vec3(radius * std::cos(angle), radius * std::sin(angle), z));
+      vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
     }
   };
   ring(bottom, 0);

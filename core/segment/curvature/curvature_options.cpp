@@ -5,7 +5,7 @@ namespace hewn {
 template <>
 std::span<const OptionField<CurvatureOptions>> option_table<CurvatureOptions>() {
   using O = CurvatureOptions;
-  static const OptionField<O> kTable[] = {
+  static constexpr OptionField<O> kTable[] = {
       {"ridge-angle", &O::ridge_angle_deg, 1, 90,
        "Degrees between neighbouring triangles above which their edge is sharp."},
       {"corner-ratio", &O::corner_ratio, 0, 1,

@@ -98,7 +98,7 @@ class Grower {
     return sum;
   }
 
-  FittedRegion extend(Surface surface, std::span<const int> start, CurvatureClass kind) {
+  FittedRegion extend(const Surface& surface, std::span<const int> start, CurvatureClass kind) {
     FittedRegion region{surface, flood(surface, start, kind)};
     for (int round = 0; round < kMaxExtensions; ++round) {
       Surface better = region.surface;

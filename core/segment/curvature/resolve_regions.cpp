@@ -62,7 +62,7 @@ class Resolver {
       std::vector<std::pair<int, int>> joins;
       for (const int t : open) {
         const int region = best_neighbor(t);
-        if (region >= 0) joins.push_back({t, region});
+        if (region >= 0) joins.emplace_back(t, region);
       }
       for (const auto& [t, region] : joins) region_of_[t] = region;
       has_changed = !joins.empty();

@@ -35,7 +35,7 @@ class Splitter {
       const double share = height_[edge.a] / (height_[edge.a] - height_[edge.b]);
       const Vec3& a = mesh_.vertices[edge.a];
       cuts_.push_back({edge.a, edge.b, static_cast<int>(vertices_.size())});
-      vertices_.push_back(a + (mesh_.vertices[edge.b] - a) * share);
+      vertices_.emplace_back(a + (mesh_.vertices[edge.b] - a) * share);
     }
   }
 

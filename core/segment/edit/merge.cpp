@@ -15,7 +15,7 @@ std::optional<Surface> fit_any(const Mesh& mesh, const std::vector<int>& triangl
                                const FitLimits& limits) {
   for (const CurvatureClass kind : {CurvatureClass::Planar, CurvatureClass::Conic,
                                     CurvatureClass::Spherical, CurvatureClass::Other}) {
-    const auto surface = fit_primitive(mesh, triangles, kind, limits);
+    auto surface = fit_primitive(mesh, triangles, kind, limits);
     if (surface) return surface;
   }
   return std::nullopt;
