@@ -12,6 +12,7 @@
 #include "core/synth/decompose/list_search.h"
 #include "core/synth/decompose/lower.h"
 #include "core/synth/decompose/relax.h"
+#include "core/synth/decompose/tighten.h"
 #include "core/synth/verify.h"
 
 namespace hewn {
@@ -244,6 +245,7 @@ class TreeSearch {
     answer_.rounds = round + 1;
     // What the cells do not show, the fresh points may.
     relax_list(space_of(current_), surfaces_, current_.list);
+    if (!problem_.is_subtracted) tighten_list(space_of(current_), surfaces_, current_.list);
     gather_runs(space_of(current_), current_.list);
     const ListSolid solid(current_.list, surfaces_.halfspaces, space_.frame, current_.is_clipped());
     const Tree tree = lowered(current_.list, current_.is_clipped());

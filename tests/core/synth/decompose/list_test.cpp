@@ -2,6 +2,7 @@
 #include "core/synth/decompose/gather.h"
 #include "core/synth/decompose/neighbourhood.h"
 #include "core/synth/decompose/relax.h"
+#include "core/synth/decompose/tighten.h"
 #include "tests/core/synth/search_fixture.h"
 
 namespace hewn {
@@ -102,6 +103,48 @@ TEST_CASE("relaxing keeps a list right and its terms no smaller") {
   for (std::size_t k = 0; k < list.items.size(); ++k) {
     for (std::size_t i = 0; i < f.columns.words(); ++i) {
       CHECK((before.items[k]->cover[i] & ~list.items[k]->cover[i]) == 0);
+    }
+  }
+}
+
+TEST_CASE("a block that reaches too far is bounded where the solid ends, and needs no cut") {
+  ListFixture f(solids::box({0, 0, 0}, {4, 3, 2}));
+  Term block;
+  Term cut;
+  cut.fills = false;
+  for (std::size_t k = 0; k < f.part.surfaces.halfspaces.size(); ++k) {
+    const Surface& s = f.part.surfaces.halfspaces[k].surface;
+    const bool is_inside = s.signed_distance(Vec3(2, 1.5, 1)) < 0;
+    const bool is_top = std::abs(s.axis.z()) > 0.5 && s.offset != 0;
+    (is_top ? cut : block).literals.push_back({static_cast<int>(k), is_inside != is_top});
+  }
+  REQUIRE(cut.literals.size() == 1);
+  cut.cost = block.cost = 1;
+  DecisionList list;
+  list.items = {with_cover(f.columns, cut), with_cover(f.columns, block)};
+  REQUIRE(is_right(f.space, list.items, list.base));
+  tighten_list(f.space, f.part.surfaces, list);
+  CHECK(is_right(f.space, list.items, list.base));
+  REQUIRE(list.items.size() == 1);
+  CHECK(list.items[0]->literals.size() == 6);
+}
+
+TEST_CASE("tightening keeps a list right, and takes nothing of the solid from its filling terms") {
+  ListFixture f(solids::block_with_fillet({6, 5, 4}, 1.5, 12));
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    DecisionList list = f.construct(seed);
+    relax_list(f.space, f.part.surfaces, list);
+    const DecisionList before = list;
+    tighten_list(f.space, f.part.surfaces, list);
+    CHECK(is_right(f.space, list.items, list.base));
+    CHECK(list.cost() <= before.cost());
+    if (list.items.size() != before.items.size()) continue;
+    for (std::size_t k = 0; k < list.items.size(); ++k) {
+      for (std::size_t i = 0; i < f.columns.words(); ++i) {
+        const Word lost = before.items[k]->cover[i] & ~list.items[k]->cover[i];
+        CHECK((lost & f.space.care[i] & f.columns.wanted()[i]) == 0);
+        if (!list.items[k]->fills) CHECK(lost == 0);
+      }
     }
   }
 }
