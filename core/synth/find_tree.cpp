@@ -248,7 +248,7 @@ class TreeSearch {
     if (!problem_.is_subtracted) tighten_list(space_of(current_), surfaces_, current_.list);
     gather_runs(space_of(current_), current_.list);
     const ListSolid solid(current_.list, surfaces_.halfspaces, space_.frame, current_.is_clipped());
-    const Tree tree = lowered(current_.list, current_.is_clipped());
+    const Tree tree = lowered(current_.list, current_.is_clipped(), false);
     const SolidTest contains = [&solid](const Vec3& p) { return solid.contains(p); };
     Verification v =
         verify_list(space_, {current_.list, contains, tree}, {}, stream(round, 0), run_);
@@ -286,9 +286,9 @@ class TreeSearch {
 
   Result<TreeAnswer> finish() {
     const FoundList& solution = *best_;
-    answer_.tree = lowered(solution.list, false);
+    answer_.tree = lowered(solution.list, false, true);
     if (solution.is_clipped() && !problem_.is_subtracted && reaches_outside(answer_.tree)) {
-      answer_.tree = lowered(solution.list, true);
+      answer_.tree = lowered(solution.list, true, true);
     }
     answer_.halfspaces = static_cast<int>(surfaces_.halfspaces.size());
     answer_.agreement = measure_agreement(
@@ -298,11 +298,13 @@ class TreeSearch {
     return std::move(answer_);
   }
 
-  /// The list as a tree; `clip` cuts it to the frame's box unless it is a tool.
-  Tree lowered(const DecisionList& list, bool clip) const {
+  /// The list as a tree; `clip` cuts it to the frame's box unless it is a tool. Long tools show
+  /// what a term does beyond the cells, so only the answer's are shortened.
+  Tree lowered(const DecisionList& list, bool clip, bool shortens_tools) const {
     LoweringOptions options;
     options.is_tool = problem_.is_subtracted;
     options.clip = clip && !options.is_tool;
+    options.shortens_tools = shortens_tools;
     return lower_list(list, surfaces_, problem_.query->mesh(), triangles_, space_.frame, options);
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/csg/prism.h"
+#include "core/synth/decompose/shorten.h"
 #include "core/synth/decompose/term_cost.h"
 
 namespace hewn {
@@ -21,6 +22,14 @@ double round_down_nicely(double x) {
 
 struct Interval {
   double lo = -kInfinity, hi = kInfinity;
+};
+
+using Corners = std::vector<Vec3>;
+
+/// What an open end of a primitive has to reach.
+struct Room {
+  const std::vector<TermLiteral>* work_ends = nullptr;
+  std::vector<Corners> within;  ///< of the solids that it is taken out of
 };
 
 /// Right-handed frame around an axis; that of a coordinate axis consists of coordinate axes.
@@ -81,6 +90,7 @@ class Lowering {
     if (options_.clip && tree_.root >= 0) {
       tree_.root = tree_.add_node(Op::Intersection, {tree_.root, add(frame_box())});
     }
+    shorten_tools(tree_, shorter_);
     return flattened(tree_);
   }
 
@@ -112,12 +122,23 @@ class Lowering {
   int term(const Term& t) {
     std::vector<int> kept;
     std::vector<int> removed;
-    for (const PrimitivePlan& plan : plan_primitives(t.literals, combinability_)) {
-      // Unbounded sides: solids end with the geometry, tools reach beyond it, and what is taken
-      // out of a tool reaches beyond the tool.
-      const int reach = (t.fills && !options_.is_tool ? 0 : 1) + (plan.is_positive() ? 0 : 1);
-      const Literal literal = primitive(plan, reach);
-      (plan.is_positive() ? kept : removed).push_back(add(literal));
+    const auto plans = plan_primitives(t.literals, combinability_);
+    // Unbounded sides: solids end with the geometry, tools reach beyond it, and what is taken out
+    // of a term reaches beyond the rest of it.
+    const int reach = t.fills && !options_.is_tool ? 0 : 1;
+    for (const PrimitivePlan& plan : plans) {
+      if (!plan.is_positive()) continue;
+      kept.push_back(add(primitive(plan, reach, {})));
+      if (!options_.shortens_tools || t.work_ends.empty()) continue;
+      const int literal = tree_.nodes[static_cast<std::size_t>(kept.back())].literal;
+      shorter_.push_back({literal, primitive(plan, reach, {&t.work_ends, {}})});
+    }
+    Room room;
+    for (const int node : kept) {
+      room.within.push_back(corners_of(tree_.literals[tree_.nodes[node].literal]));
+    }
+    for (const PrimitivePlan& plan : plans) {
+      if (!plan.is_positive()) removed.push_back(add(primitive(plan, reach + 1, room)));
     }
     int node = kept.size() == 1 ? kept[0] : tree_.add_node(Op::Intersection, kept);
     if (!removed.empty()) {
@@ -130,21 +151,25 @@ class Lowering {
   /// The corners of everything that is united: what tools must be able to reach. A united box at
   /// an angle may stand out of the geometry where a tool takes it away again.
   void collect_reach(const DecisionList& list) {
-    const auto add_corners = [this](const Box3& box, const Mat3& rotation) {
-      for (int k = 0; k < 8; ++k) {
-        const Vec3 pick((k & 1) != 0, (k & 2) != 0, (k & 4) != 0);
-        reach_.push_back(rotation * (box.lo + pick.cwiseProduct(box.size())));
-      }
-    };
-    add_corners(frame_.box, frame_.rotation);
+    reach_ = corners_of(frame_box());
     for (const TermPtr& item : list.items) {
       if (!item->fills) continue;
       for (const PrimitivePlan& plan : plan_primitives(item->literals, combinability_)) {
         if (!plan.is_positive()) continue;
-        const Literal literal = primitive(plan, 0);
-        add_corners(local_bounds(literal), literal.rotation);
+        const Corners corners = corners_of(primitive(plan, 0, {}));
+        reach_.insert(reach_.end(), corners.begin(), corners.end());
       }
     }
+  }
+
+  static Corners corners_of(const Literal& literal) {
+    const Box3 box = local_bounds(literal);
+    Corners corners;
+    for (int k = 0; k < 8; ++k) {
+      const Vec3 pick((k & 1) != 0, (k & 2) != 0, (k & 4) != 0);
+      corners.emplace_back(literal.rotation * (box.lo + pick.cwiseProduct(box.size())));
+    }
+    return corners;
   }
 
   /// The literal's box in its own rotated coordinates.
@@ -159,23 +184,24 @@ class Lowering {
     return {l.origin - below, l.origin + above};
   }
 
-  /// The extent along a direction: of the geometry, or with `reach` > 0 of all that tools must
-  /// reach, enlarged by that many margins.
-  Interval extent(const Vec3& direction, int reach) const {
+  static Interval extent_of(const Corners& points, const Vec3& direction) {
     Interval e{kInfinity, -kInfinity};
-    const auto extend = [&](const Vec3& p) {
+    for (const Vec3& p : points) {
       e.lo = std::min(e.lo, direction.dot(p));
       e.hi = std::max(e.hi, direction.dot(p));
-    };
-    if (reach > 0) {
-      for (const Vec3& p : reach_) extend(p);
-      return {e.lo - reach * margin_, e.hi + reach * margin_};
     }
-    if (triangles_.empty()) {
-      for (const Vec3& p : mesh_.vertices) extend(p);
-    }
+    return e;
+  }
+
+  /// The extent of the geometry along a direction.
+  Interval extent(const Vec3& direction) const {
+    if (triangles_.empty()) return extent_of(mesh_.vertices, direction);
+    Interval e{kInfinity, -kInfinity};
     for (const int t : triangles_) {
-      for (int k = 0; k < 3; ++k) extend(mesh_.corner(t, k));
+      for (int k = 0; k < 3; ++k) {
+        e.lo = std::min(e.lo, direction.dot(mesh_.corner(t, k)));
+        e.hi = std::max(e.hi, direction.dot(mesh_.corner(t, k)));
+      }
     }
     return e;
   }
@@ -197,11 +223,28 @@ class Lowering {
     return bounds;
   }
 
-  /// Closes open ends with the geometry's extent; solids never exceed it.
-  Interval closed(const Vec3& axis, Interval bounds, int reach) const {
-    const Interval limit = extent(axis, reach);
-    if (reach == 0 || bounds.lo == -kInfinity) bounds.lo = std::max(bounds.lo, limit.lo);
-    if (reach == 0 || bounds.hi == kInfinity) bounds.hi = std::min(bounds.hi, limit.hi);
+  /// How far what is subtracted has to go: `reach` margins beyond all that there is to cut.
+  Interval work_along(const Vec3& axis, int reach, const Room& room) const {
+    Interval work = extent_of(reach_, axis);
+    const auto narrow = [&work](const Interval& to) {
+      work.lo = std::max(work.lo, to.lo);
+      work.hi = std::min(work.hi, to.hi);
+    };
+    if (room.work_ends) narrow(bounds_along(axis, *room.work_ends));
+    work = {work.lo - reach * margin_, work.hi + reach * margin_};
+    for (const Corners& corners : room.within) {
+      const Interval rest = extent_of(corners, axis);
+      narrow({rest.lo - margin_, rest.hi + margin_});
+    }
+    return work;
+  }
+
+  /// Closes open ends with the geometry's extent, which solids never exceed, and those of tools
+  /// behind the end of their work.
+  Interval closed(const Vec3& axis, Interval bounds, int reach, const Room& room) const {
+    const Interval limit = reach == 0 ? extent(axis) : work_along(axis, reach, room);
+    bounds.lo = std::max(bounds.lo, limit.lo);
+    bounds.hi = std::min(bounds.hi, limit.hi);
     bounds.hi = std::max(bounds.hi, bounds.lo);
     return bounds;
   }
@@ -245,12 +288,12 @@ class Lowering {
     return m;
   }
 
-  Literal primitive(const PrimitivePlan& plan, int reach) const {
-    if (plan.is_box()) return box(plan, reach);
-    return plan.prism >= 0 ? prism(plan, reach) : curved(plan, reach);
+  Literal primitive(const PrimitivePlan& plan, int reach, const Room& room) const {
+    if (plan.is_box()) return box(plan, reach, room);
+    return plan.prism >= 0 ? prism(plan, reach, room) : curved(plan, reach, room);
   }
 
-  Literal prism(const PrimitivePlan& plan, int reach) const {
+  Literal prism(const PrimitivePlan& plan, int reach, const Room& room) const {
     const RegularPrism& ring = combinability_.prisms()[static_cast<std::size_t>(plan.prism)];
     // A corner half a side's angle before the first side's normal, on the local x axis.
     const double half_step = kPi / ring.count();
@@ -262,26 +305,26 @@ class Lowering {
     out.radius = ring.radius;
     out.rotation << corner, ring.axis.cross(corner), ring.axis;
     out.origin = out.rotation.transpose() * ring.center;
-    const Interval side = closed(ring.axis, bounds_along(ring.axis, plan.planes), reach);
+    const Interval side = closed(ring.axis, bounds_along(ring.axis, plan.planes), reach, room);
     out.origin.z() = side.lo;
     out.height = side.hi - side.lo;
     return out;
   }
 
-  Literal box(const PrimitivePlan& plan, int reach) const {
+  Literal box(const PrimitivePlan& plan, int reach, const Room& room) const {
     Literal out;
     out.kind = SolidKind::Box;
     out.rotation = box_frame(plan.planes);
     for (int c = 0; c < 3; ++c) {
       const Vec3 axis = out.rotation.col(c);
-      const Interval side = closed(axis, bounds_along(axis, plan.planes), reach);
+      const Interval side = closed(axis, bounds_along(axis, plan.planes), reach, room);
       out.origin[c] = side.lo;
       out.size[c] = side.hi - side.lo;
     }
     return out;
   }
 
-  Literal curved(const PrimitivePlan& plan, int reach) const {
+  Literal curved(const PrimitivePlan& plan, int reach, const Room& room) const {
     const Halfspace& h = surfaces_.halfspaces[plan.curved];
     const Surface& s = h.surface;
     Literal out;
@@ -302,7 +345,7 @@ class Lowering {
       return out;
     }
     out.kind = SolidKind::Cylinder;
-    Interval side = closed(axis, bounds_along(axis, plan.planes), reach);
+    Interval side = closed(axis, bounds_along(axis, plan.planes), reach, room);
     if (s.kind == SurfaceKind::Cone) {
       const double apex = out.origin.z();
       side.lo = std::max(side.lo, apex);
@@ -324,7 +367,8 @@ class Lowering {
   const Frame& frame_;
   const LoweringOptions& options_;
   double margin_;
-  std::vector<Vec3> reach_;
+  Corners reach_;
+  std::vector<Shortening> shorter_;
   Tree tree_;
 };
 

@@ -11,6 +11,8 @@ namespace hewn {
 struct LoweringOptions {
   bool clip = false;     ///< intersect the whole with the frame's box
   bool is_tool = false;  ///< the solid will be subtracted: it sticks out where it is unbounded
+  /// Tools end a little behind the end of their work (`Term::work_ends`) where that is safe.
+  bool shortens_tools = false;
 };
 
 /// Lowers `list` to a tree. United primitives end at the geometry's extents where no literal bounds

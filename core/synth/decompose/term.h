@@ -16,6 +16,8 @@ struct Term {
   bool fills = true;        ///< united with the solid, else subtracted from it
   int cost = 0;             ///< bounded primitives needed to write it down
   std::vector<Word> cover;  ///< the cells in the intersection
+  /// Planes within which a cutting term does all its work: it may end anywhere beyond them.
+  std::vector<TermLiteral> work_ends;
 };
 
 using TermPtr = std::shared_ptr<const Term>;

@@ -1,5 +1,5 @@
 #pragma once
-/// Filling terms that end with the solid, where other terms would cut off what reaches further.
+/// Terms that end with the solid or soon behind it.
 #include "core/fit/surface_set.h"
 #include "core/synth/decompose/decision_list.h"
 
@@ -7,8 +7,9 @@ namespace hewn {
 
 /// Bounds filling terms by planes that take nothing of the solid from them, as long as the list
 /// stays right and costs no more: a post that is cut down to the plate it stands in becomes as high
-/// as the plate. Drops items that are then of no use. Requires: a right list.
-/// Cost: O(items x planes x words), a few times over.
+/// as the plate. Drops items that are then of no use. Of cutting terms it finds out where their
+/// work ends (`Term::work_ends`). Requires: a right list. Cost: O(items x planes x words), a few
+/// times over.
 void tighten_list(const SearchSpace& space, const SurfaceSet& surfaces, DecisionList& list);
 
 }  // namespace hewn
