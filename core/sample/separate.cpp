@@ -297,6 +297,7 @@ std::vector<Choice> choices_among(const SeparatingCandidates& found, int own_dir
     return found.halfspaces[static_cast<std::size_t>(k)].direction < own_directions;
   };
   std::vector<Choice> choices;
+  choices.reserve(found.halfspaces.size() + found.pairs.size());
   for (int k = 0; k < static_cast<int>(found.halfspaces.size()); ++k) {
     choices.push_back({{k, -1}, is_own(k) ? 1 : kNewDirection});
   }

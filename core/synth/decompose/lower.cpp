@@ -266,13 +266,13 @@ class Lowering {
       });
       if (fits) axes.push_back(candidate);
     }
-    if (axes.size() == 1) axes.push_back(frame_around(axes[0]).col(0));
-    if (axes.size() == 2) axes.push_back(axes[0].cross(axes[1]).normalized());
+    if (axes.size() == 1) axes.emplace_back(frame_around(axes[0]).col(0));
+    if (axes.size() == 2) axes.emplace_back(axes[0].cross(axes[1]).normalized());
     return ordered(axes);
   }
 
   /// A right-handed matrix of the axes; coordinate axes give the identity.
-  static Mat3 ordered(std::vector<Vec3> axes) {
+  static Mat3 ordered(const std::vector<Vec3>& axes) {
     Mat3 m;
     // Each axis goes to the free column of its largest component.
     std::vector<char> used(3, 0);

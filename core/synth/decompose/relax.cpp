@@ -20,6 +20,7 @@ std::vector<int> farther_planes(const SurfaceSet& surfaces, const TermLiteral& l
   }
   std::sort(farther.begin(), farther.end());
   std::vector<int> out;
+  out.reserve(farther.size());
   for (const auto& [gain, k] : farther) out.push_back(k);
   return out;
 }

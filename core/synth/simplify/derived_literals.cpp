@@ -177,6 +177,7 @@ class Derivation {
     }
     keep_best(all);
     std::vector<DerivedLiteral> out;
+    out.reserve(all.size());
     for (Candidate& c : all) out.push_back(std::move(c.derived));
     return out;
   }

@@ -137,8 +137,8 @@ std::vector<Formula> Resynthesis::grow(const CellTask& task, int longest, Rng& r
 
 std::optional<Formula> Resynthesis::by_term(CellTask& task, int budget, Rng& rng) {
   // On the complement's side everything is turned round.
-  const bool is_turned =
-      rng.below(static_cast<std::size_t>(on_ + off_)) < static_cast<std::size_t>(on_);
+  const bool is_turned = rng.below(static_cast<std::size_t>(on_) + static_cast<std::size_t>(off_)) <
+                         static_cast<std::size_t>(on_);
   if (is_turned) {
     std::swap(task.on, task.off);
     count(task);

@@ -37,6 +37,7 @@ TwoLevelProblem two_level_problem(Formula formula, const CellColumns& cells, con
   std::map<std::vector<char>, bool> rows;
   for_each_bit(care, [&](std::size_t c) {
     std::vector<char> sides;
+    sides.reserve(literals.size());
     for (const int k : literals) sides.push_back(test_bit(cells.column(k).data(), c) ? 1 : 0);
     rows.emplace(std::move(sides), test_bit(value.data(), c));
   });
