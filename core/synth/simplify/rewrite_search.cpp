@@ -30,12 +30,6 @@ bool share_literal(const Formula& a, const Formula& b) {
                      [&](const Formula& child) { return share_literal(child, b); });
 }
 
-std::size_t most_operands(const Formula& f) {
-  std::size_t most = f.children.size();
-  for (const Formula& child : f.children) most = std::max(most, most_operands(child));
-  return most;
-}
-
 class RewriteSearch {
  public:
   RewriteSearch(const CellColumns& cells, const Column& care, const RewriteOptions& options,
@@ -189,9 +183,6 @@ class RewriteSearch {
     evaluate(current_, cells_);
     leaves_ = leaf_count(current_);
     keep_best();
-    // The order in which operands overlap is sought among all pairs of them.
-    const auto operands = static_cast<double>(most_operands(current_));
-    work_ += (leaves_ + operands * operands) * static_cast<double>(cells_.words());
   }
 
   const CellColumns& cells_;
@@ -202,7 +193,6 @@ class RewriteSearch {
   Rng rng_;
   Formula current_, best_;
   int leaves_ = 0;
-  double work_ = 0;  ///< in words, beside that of `resynthesis_`
   int best_size_ = std::numeric_limits<int>::max();
   double best_proximity_ = 0;
   bool best_meets_ = false;
