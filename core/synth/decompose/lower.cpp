@@ -135,6 +135,7 @@ class Lowering {
     }
     Room room;
     for (const int node : kept) {
+      if (!options_.shortens_tools) break;
       room.within.push_back(corners_of(tree_.literals[tree_.nodes[node].literal]));
     }
     for (const PrimitivePlan& plan : plans) {

@@ -11,7 +11,8 @@ namespace hewn {
 struct LoweringOptions {
   bool clip = false;     ///< intersect the whole with the frame's box
   bool is_tool = false;  ///< the solid will be subtracted: it sticks out where it is unbounded
-  /// Tools end a little behind the end of their work (`Term::work_ends`) where that is safe.
+  /// Tools end a little behind the end of their work (`Term::work_ends`) where that is safe, and
+  /// what is taken out of a term a little outside of the rest of it.
   bool shortens_tools = false;
 };
 
