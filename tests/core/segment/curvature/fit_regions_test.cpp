@@ -20,7 +20,8 @@ std::vector<FittedRegion> grow(const Mesh& mesh, std::uint64_t seed,
 }
 
 std::vector<bool> all_of(const Mesh& mesh) {
-  return std::vector<bool>(mesh.triangles.size(), true);
+  std::vector<bool> all(mesh.triangles.size(), true);
+  return all;
 }
 
 TEST_CASE("a region covers its whole face from whichever seed") {

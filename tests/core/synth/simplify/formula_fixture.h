@@ -16,7 +16,7 @@ inline CellColumns all_cells(int literals) {
       if ((c >> k) & 1) set_bit(columns[k].data(), c);
     }
   }
-  return CellColumns(cells, std::move(columns));
+  return {cells, std::move(columns)};
 }
 
 inline Formula random_formula(Rng& rng, int literals, int depth) {
