@@ -15,13 +15,13 @@ struct Tip {
 };
 
 const std::array<Tip, 6>& tips() {
-  static const std::array<Tip, 6> kTips{{{Vec3(1, 0, 0), StandardView::Right, 0xe06c75, "x"},
-                                         {Vec3(-1, 0, 0), StandardView::Left, 0xe06c75, ""},
-                                         {Vec3(0, -1, 0), StandardView::Front, 0x6cc08b, ""},
-                                         {Vec3(0, 1, 0), StandardView::Back, 0x6cc08b, "y"},
-                                         {Vec3(0, 0, 1), StandardView::Top, 0x61a0ff, "z"},
-                                         {Vec3(0, 0, -1), StandardView::Bottom, 0x61a0ff, ""}}};
-  return kTips;
+  static const std::array<Tip, 6> all{{{Vec3(1, 0, 0), StandardView::Right, 0xe06c75, "x"},
+                                       {Vec3(-1, 0, 0), StandardView::Left, 0xe06c75, ""},
+                                       {Vec3(0, -1, 0), StandardView::Front, 0x6cc08b, ""},
+                                       {Vec3(0, 1, 0), StandardView::Back, 0x6cc08b, "y"},
+                                       {Vec3(0, 0, 1), StandardView::Top, 0x61a0ff, "z"},
+                                       {Vec3(0, 0, -1), StandardView::Bottom, 0x61a0ff, ""}}};
+  return all;
 }
 
 ImU32 colour_of(unsigned rgb, float alpha) {
