@@ -38,6 +38,7 @@ std::vector<const Action*> matches(const Ui& ui) {
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<const Action*> out;
+  out.reserve(ranked.size());
   for (const auto& [r, action] : ranked) out.push_back(action);
   return out;
 }
