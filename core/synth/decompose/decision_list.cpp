@@ -1,6 +1,7 @@
 #include "core/synth/decompose/decision_list.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hewn {
 
@@ -77,6 +78,15 @@ void drop_redundant_items(const SearchSpace& space, std::vector<TermPtr>& items,
       behind[i] = (behind[i] & ~cover) | (fill & cover);
     }
   }
+}
+
+bool replace_item(const SearchSpace& space, DecisionList& list, TermPtr& item, Term term) {
+  term.cost = term_cost(term.literals, *space.combinability);
+  if (term.cost > item->cost) return false;
+  const TermPtr old = std::exchange(item, with_cover(*space.columns, term));
+  if (is_right(space, list.items, list.base)) return true;
+  item = old;
+  return false;
 }
 
 TermPtr with_cover(const ColumnTable& columns, const Term& term) {

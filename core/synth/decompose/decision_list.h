@@ -31,6 +31,10 @@ std::vector<Word> wrong_cells(const SearchSpace& space, std::span<const TermPtr>
 /// Drops items, the last first, as long as the list stays right.
 void drop_redundant_items(const SearchSpace& space, std::vector<TermPtr>& items, bool base);
 
+/// Puts `term`, its cost and cover computed anew, in the place of an item, if it is no dearer and
+/// the list stays right. `item` is one of the list's.
+bool replace_item(const SearchSpace& space, DecisionList& list, TermPtr& item, Term term);
+
 /// Recomputes a term's cover for other columns.
 TermPtr with_cover(const ColumnTable& columns, const Term& term);
 

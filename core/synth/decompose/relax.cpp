@@ -56,14 +56,8 @@ class Relaxation {
     return false;
   }
 
-  bool accept(std::size_t item, Term& candidate) {
-    candidate.cost = term_cost(candidate.literals, *space_.combinability);
-    if (candidate.cost > list_.items[item]->cost) return false;
-    const TermPtr old = list_.items[item];
-    list_.items[item] = with_cover(*space_.columns, candidate);
-    if (is_right(space_, list_.items, list_.base)) return true;
-    list_.items[item] = old;
-    return false;
+  bool accept(std::size_t item, const Term& candidate) {
+    return replace_item(space_, list_, list_.items[item], candidate);
   }
 
   const SearchSpace& space_;

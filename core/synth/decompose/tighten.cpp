@@ -1,6 +1,7 @@
 #include "core/synth/decompose/tighten.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hewn {
 namespace {
@@ -20,42 +21,44 @@ class Tightening {
   }
 
  private:
-  struct Bound {
-    TermLiteral literal;
-    int removed = 0;  ///< cells
-  };
-
-  /// Adds the bound that removes most. False when there is none.
+  /// Adds the bound that removes most of what the solid has not. False when there is none.
   bool tighten(TermPtr& item) {
-    std::vector<Bound> bounds = bounds_of(*item);
-    std::stable_sort(bounds.begin(), bounds.end(),
-                     [](const Bound& a, const Bound& b) { return a.removed > b.removed; });
+    std::vector<Word> counted = item->cover;
+    for (std::size_t i = 0; i < counted.size(); ++i) counted[i] &= space_.care[i];
+    std::vector<Word> solid = counted;
+    for (std::size_t i = 0; i < solid.size(); ++i) solid[i] &= space_.columns->wanted()[i];
+    const std::vector<TermLiteral> bounds = bounds_around(solid, counted);
     return std::any_of(bounds.begin(), bounds.end(),
-                       [&](const Bound& bound) { return accept(item, bound.literal); });
+                       [&](const TermLiteral& bound) { return accept(item, bound); });
   }
 
-  /// Sides of planes on which the term's share of the solid lies as a whole.
-  std::vector<Bound> bounds_of(const Term& term) const {
-    std::vector<Bound> bounds;
+  /// The sides of planes on which all of `kept` lies but not all of `counted`: those first that
+  /// leave out most of it.
+  std::vector<TermLiteral> bounds_around(const std::vector<Word>& kept,
+                                         const std::vector<Word>& counted) const {
+    std::vector<std::pair<int, TermLiteral>> bounds;
     for (std::size_t k = 0; k < surfaces_.halfspaces.size(); ++k) {
       if (!space_.combinability->is_plane(static_cast<int>(k))) continue;
       for (const bool inside : {false, true}) {
-        const int removed = count_removed(term, k, inside);
-        if (removed > 0) bounds.push_back({{static_cast<int>(k), inside}, removed});
+        const int removed = count_removed(kept, counted, space_.columns->column(k, inside));
+        if (removed > 0) bounds.push_back({removed, {static_cast<int>(k), inside}});
       }
     }
-    return bounds;
+    std::stable_sort(bounds.begin(), bounds.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<TermLiteral> out;
+    out.reserve(bounds.size());
+    for (const auto& [removed, literal] : bounds) out.push_back(literal);
+    return out;
   }
 
-  /// Cells that the term loses to the bound; 0 when the solid has one of them.
-  int count_removed(const Term& term, std::size_t plane, bool inside) const {
-    const Word* kept = space_.columns->column(plane, inside);
-    const std::vector<Word>& wanted = space_.columns->wanted();
+  /// Cells of `counted` outside of `side`; 0 when one of `kept` is, too.
+  static int count_removed(const std::vector<Word>& kept, const std::vector<Word>& counted,
+                           const Word* side) {
     int removed = 0;
-    for (std::size_t i = 0; i < term.cover.size(); ++i) {
-      const Word lost = term.cover[i] & space_.care[i] & ~kept[i];
-      if ((lost & wanted[i]) != 0) return 0;
-      removed += std::popcount(lost);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      if ((kept[i] & ~side[i]) != 0) return 0;
+      removed += std::popcount(counted[i] & ~side[i]);
     }
     return removed;
   }
@@ -86,32 +89,14 @@ class Tightening {
 
   /// On each side the nearest plane beyond which the term has nothing to do.
   std::vector<TermLiteral> work_ends_of(const Term& term, const std::vector<Word>& needed) const {
-    std::vector<Bound> bounds;
-    for (std::size_t k = 0; k < surfaces_.halfspaces.size(); ++k) {
-      if (!space_.combinability->is_plane(static_cast<int>(k))) continue;
-      for (const bool inside : {false, true}) {
-        const Word* kept = space_.columns->column(k, inside);
-        int removed = 0;
-        bool is_enough = true;
-        for (std::size_t i = 0; i < needed.size() && is_enough; ++i) {
-          is_enough = (needed[i] & ~kept[i]) == 0;
-          removed += std::popcount(term.cover[i] & ~kept[i]);
-        }
-        if (is_enough && removed > 0) bounds.push_back({{static_cast<int>(k), inside}, removed});
-      }
-    }
-    std::stable_sort(bounds.begin(), bounds.end(),
-                     [](const Bound& a, const Bound& b) { return a.removed > b.removed; });
     std::vector<TermLiteral> ends;
-    for (const Bound& bound : bounds) {
-      const auto is_beside = [&](const TermLiteral& l) {
-        return is_on_same_side(l, bound.literal);
-      };
+    for (const TermLiteral& bound : bounds_around(needed, term.cover)) {
+      const auto is_beside = [&](const TermLiteral& l) { return is_on_same_side(l, bound); };
       if (std::any_of(ends.begin(), ends.end(), is_beside)) continue;
       std::vector<TermLiteral> all = term.literals;
       all.insert(all.end(), ends.begin(), ends.end());
-      all.push_back(bound.literal);
-      if (term_cost(all, *space_.combinability) <= term.cost) ends.push_back(bound.literal);
+      all.push_back(bound);
+      if (term_cost(all, *space_.combinability) <= term.cost) ends.push_back(bound);
     }
     return ends;
   }
@@ -121,13 +106,7 @@ class Tightening {
     std::erase_if(candidate.literals,
                   [&](const TermLiteral& l) { return is_on_same_side(l, bound); });
     candidate.literals.push_back(bound);
-    candidate.cost = term_cost(candidate.literals, *space_.combinability);
-    if (candidate.cost > item->cost) return false;
-    const TermPtr old = item;
-    item = with_cover(*space_.columns, candidate);
-    if (is_right(space_, list_.items, list_.base)) return true;
-    item = old;
-    return false;
+    return replace_item(space_, list_, item, std::move(candidate));
   }
 
   /// Whether both are planes of one direction that bound the term on the same side.

@@ -27,7 +27,7 @@ class Exchange {
 
  private:
   /// Whether a leaf below `node`, whose value counts on `care`, was exchanged. One exchange changes
-  /// what the other leaves are asked for, so each ends the visit of its subtree's ancestors.
+  /// what the leaves after it are asked for, so values are computed anew on the way back.
   bool visit(Formula& node, const Column& care) {
     if (run_.is_cancelled()) return false;
     if (node.kind == Formula::Kind::Leaf) return exchange(node, care);
