@@ -80,6 +80,7 @@ class TreeSearch {
              const RunContext& run)
       : problem_(problem),
         options_(options),
+        starts_(options.starts),
         cut_(cut),
         run_(run),
         label_(*problem.query, *problem.segmentation, problem.groups, problem.is_subtracted),
@@ -94,7 +95,8 @@ class TreeSearch {
     space_.diagonal = problem.query->mesh().diagonal();
   }
 
-  Result<TreeAnswer> find() {
+  /// Samples the problem; what is wrong with it, if anything.
+  std::optional<Error> prepare() {
     if (surfaces_.halfspaces.empty()) {
       return Error{ErrorCode::NotFound,
                    "no face group has a surface that could bound a solid; loosen the fit "
@@ -113,6 +115,11 @@ class TreeSearch {
     table_ = std::move(*table);
     cells_ = find_cells(table_, run_);
     separate();
+    return std::nullopt;
+  }
+
+  /// Requires: prepared.
+  Result<TreeAnswer> find() {
     for (int round = 0; round <= last_round(); ++round) {
       const bool has_list = search_round(round);
       if (run_.is_cancelled()) return RunContext::cancelled();
@@ -128,6 +135,9 @@ class TreeSearch {
   }
 
   bool has_cut_corners() const { return corners_ > 0; }
+
+  /// For one of two searches of the same problem, whose constructions differ enough.
+  void halve_starts() { starts_ = (starts_ + 1) / 2; }
 
   /// Requires: both have found a tree.
   bool is_better_than(const TreeSearch& other) const {
@@ -209,7 +219,7 @@ class TreeSearch {
     rebuild_columns();
     run_.report("search", share_done(round, 0));
     ListSearchOptions list;
-    list.starts = options_.starts;
+    list.starts = starts_;
     list.beam_width = options_.beam_width;
     list.neighbourhood_steps = options_.neighbourhood_steps;
     list.regrow_tries = options_.regrow_tries;
@@ -321,6 +331,7 @@ class TreeSearch {
 
   const TreeProblem& problem_;
   const TreeSearchOptions& options_;
+  int starts_;
   ArcCut cut_;
   const RunContext& run_;
   Labeller label_;
@@ -368,19 +379,25 @@ std::span<const OptionField<TreeSearchOptions>> option_table<TreeSearchOptions>(
 
 Result<TreeAnswer> find_tree(const TreeProblem& problem, const TreeSearchOptions& options,
                              const RunContext& run) {
-  if (problem.surfaces->halfspaces.size() > kMostSearchedTwice) {
-    return TreeSearch(problem, options, ArcCut::Chord, run).find();
-  }
+  const bool may_search_twice = problem.surfaces->halfspaces.size() <= kMostSearchedTwice;
+  TreeSearch search(problem, options, may_search_twice ? ArcCut::Corner : ArcCut::Chord, run);
+  if (const std::optional<Error> error = search.prepare()) return *error;
+  if (!search.has_cut_corners()) return search.find();
+
+  // Corners have typed dimensions and chords are fewer literals: which list is the better one only
+  // its search tells.
   constexpr double kBetween = 0.6;  // of the progress
-  TreeSearch corners(problem, options, ArcCut::Corner, run);
-  corners.show_progress_in(TreeSearch::kProgressBegin, kBetween);
-  Result<TreeAnswer> answer = corners.find();
-  if (!corners.has_cut_corners() || run.should_stop()) return answer;
+  search.halve_starts();
+  search.show_progress_in(TreeSearch::kProgressBegin, kBetween);
+  Result<TreeAnswer> answer = search.find();
+  if (run.should_stop()) return answer;
   TreeSearch chords(problem, options, ArcCut::Chord, run);
+  if (const std::optional<Error> error = chords.prepare()) return *error;
+  chords.halve_starts();
   chords.show_progress_in(kBetween, TreeSearch::kProgressEnd);
   Result<TreeAnswer> other = chords.find();
   if (!answer || (!other && other.error().code == ErrorCode::Cancelled)) return other;
-  if (!other || corners.is_better_than(chords)) return answer;
+  if (!other || search.is_better_than(chords)) return answer;
   return other;
 }
 
