@@ -159,6 +159,26 @@ DisplayMesh build_display_mesh(const Mesh& mesh, const std::vector<int>& labels)
   return out;
 }
 
+DisplayMesh build_display_mesh(const TreeBoundary& boundary) {
+  DisplayMesh out;
+  for (const BoundaryCorner& c : boundary.corners) out.bounds.extend(c.position);
+  out.origin = out.bounds.is_empty() ? Vec3(Vec3::Zero()) : out.bounds.center();
+  for (const BoundaryCorner& c : boundary.corners) {
+    const auto i = static_cast<std::int32_t>(out.corners.size());
+    out.corners.push_back({single(c.position - out.origin), single(c.normal), c.label, 0.0F});
+    out.vertices.push_back(i);
+    out.indices.push_back(static_cast<std::uint32_t>(i));
+    out.labels = std::max(out.labels, c.label + 1);
+  }
+  for (const BoundaryLine& l : boundary.lines) {
+    for (const Vec3& end : {l.from, l.to}) {
+      out.lines.push_back({single(end - out.origin), {l.label, l.label}});
+    }
+  }
+  add_coarse(out);
+  return out;
+}
+
 DisplayMesh build_display_mesh(const PreparedMesh& prepared) {
   return build_display_mesh(*prepared.mesh, prepared.segmentation.group_of_triangle);
 }

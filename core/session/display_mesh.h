@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/run_context.h"
+#include "core/csg/tree_boundary.h"
 #include "core/session/plan.h"
 
 namespace hewn {
@@ -43,6 +44,9 @@ inline constexpr std::size_t kManyTriangles = 150000;
 /// Corner normals are averaged over triangles of one label that meet at less than 40 degrees; lines
 /// stand where labels change and at borders. `labels` holds one number a triangle. O(n log n).
 DisplayMesh build_display_mesh(const Mesh& mesh, const std::vector<int>& labels);
+
+/// Labelled by literal.
+DisplayMesh build_display_mesh(const TreeBoundary& boundary);
 
 /// Labelled by face group.
 DisplayMesh build_display_mesh(const PreparedMesh& prepared);

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/compute/parallel.h"
-#include "core/io/stl.h"
+#include "core/csg/tree_boundary.h"
 #include "core/session/flat_faces.h"
 #include "core/session/score.h"
 
@@ -33,36 +33,6 @@ std::vector<int> nearest_literals(const Tree& tree, const Mesh& mesh, const RunC
   return labels;
 }
 
-/// Where faces of several literals coincide, the nearest one is a matter of chance: takes the first
-/// without which the solid would not begin behind the triangle, as exact pictures do.
-void settle_coincident(const Tree& tree, const TreeProgram& program, const Mesh& mesh,
-                       std::vector<int>& labels, const RunContext& run) {
-  const double same = 1e-6 * mesh.diagonal();
-  const double behind = 2e-5 * mesh.diagonal();
-  for_each_index(run.threads, labels.size(), [&](std::size_t i) {
-    if (run.is_cancelled()) return;
-    const int t = static_cast<int>(i);
-    const Vec3 middle = mesh.centroid(t);
-    const double nearest = std::abs(tree.literals[labels[t]].signed_distance(middle));
-    std::vector<std::size_t> tied;
-    std::vector<bool> inside;
-    for (std::size_t l = 0; l < tree.literals.size(); ++l) {
-      const double distance = std::abs(tree.literals[l].signed_distance(middle));
-      if (distance <= nearest + same) tied.push_back(l);
-      inside.push_back(tree.literals[l].signed_distance(middle - behind * mesh.normals[t]) < 0);
-    }
-    if (tied.size() < 2 || !program.answer(inside)) return;
-    for (const std::size_t l : tied) {
-      inside[l] = !inside[l];
-      const bool matters = !program.answer(inside);
-      inside[l] = !inside[l];
-      if (!matters) continue;
-      labels[t] = static_cast<int>(l);
-      return;
-    }
-  });
-}
-
 std::vector<double> vertex_deviations(const Tree& tree, const Mesh& mesh, const RunContext& run) {
   std::vector<double> values(mesh.vertices.size(), 0);
   constexpr std::size_t kGrain = 64;
@@ -82,18 +52,11 @@ Result<ResultView> build_result_view(const Reconstruction& found, const RunConte
   ResultView view;
   const Mesh& mesh = *found.prepared.mesh;
   auto program = encode_tree(found.tree);
-  run.report("tessellate", 0);
-  auto surface = tessellate(found.tree, TessellationOptions{}, run);
-  if (run.is_cancelled()) return RunContext::cancelled();
-  if (surface) {
-    std::vector<int> labels = nearest_literals(found.tree, *surface, run);
-    if (program) settle_coincident(found.tree, *program, *surface, labels, run);
-    const std::vector<FlatFace> faces = unify_flat_faces(*surface, labels);
-    if (program) program->shown = shown_labels(found.tree, faces, 1e-6 * mesh.diagonal());
-    view.surface = build_display_mesh(*surface, labels);
-  } else {
-    view.problem = "the result cannot be shown as a surface: " + surface.error().message;
-  }
+  run.report("draw", 0);
+  auto boundary = tree_boundary(found.tree, mesh.diagonal(), run);
+  if (!boundary) return boundary.error();
+  view.surface = build_display_mesh(*boundary);
+  if (program) program->shown = std::move(boundary->shown);
   if (program) {
     view.program = std::make_shared<const TreeProgram>(std::move(*program));
   } else {

@@ -14,12 +14,11 @@
 namespace hewn {
 
 struct ResultView {
-  /// The tree's surface, labelled by literal; empty when it could not be tessellated.
+  /// The tree's surface, labelled by literal.
   DisplayMesh surface;
   /// The tree for drawing ray by ray; null when it cannot be said so.
   std::shared_ptr<const TreeProgram> program;
   std::string program_problem;  ///< why `program` is null; else empty
-  std::string problem;          ///< why `surface` is empty; else empty
   /// The input's triangles, corner by corner, labelled by the literal that explains them; `value`
   /// is the signed distance from the tree's surface, positive outside, in model units.
   DisplayMesh input;

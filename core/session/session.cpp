@@ -403,7 +403,6 @@ void Session::start_view(const std::shared_ptr<const FoundResult>& result) {
       if (view_of_ != result) return;
       if (outcome) {
         view_ = std::make_shared<const ResultView>(std::move(*outcome));
-        if (!view_->problem.empty()) notify(Severity::Warning, view_->problem);
       } else {
         view_of_ = nullptr;
         if (outcome.error().code != ErrorCode::Cancelled) report(outcome.error());

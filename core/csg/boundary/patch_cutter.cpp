@@ -1,0 +1,347 @@
+#include "core/csg/boundary/patch_cutter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "core/csg/boundary/partial_answer.h"
+
+namespace hewn {
+namespace {
+
+// Shares of the diagonal.
+constexpr double kFinest = 1.0 / 300;  ///< cells are not cut into smaller ones
+constexpr double kBeside = 2e-5;       ///< a point so far from a surface is on one side of it
+/// Halvings of a cell's side to find where an edge crosses it.
+constexpr int kBisections = 8;
+
+/// A rectangle of a patch's unit square.
+struct Cell {
+  double u0 = 0, u1 = 1, v0 = 0, v1 = 1;
+  Vec2 middle() const { return {(u0 + u1) / 2, (v0 + v1) / 2}; }
+  Vec2 corner(int k) const { return {k == 1 || k == 2 ? u1 : u0, k >= 2 ? v1 : v0}; }
+  /// A hair's breadth within the corner: patches often end right where other surfaces do.
+  Vec2 near_corner(int k) const { return corner(k) + 1e-3 * (middle() - corner(k)); }
+};
+
+/// What is at a point of a patch.
+struct Probe {
+  bool is_boundary = false;  ///< of the solid
+  bool is_outward = true;    ///< the literal's normal leads out of the solid
+  int owner = -1;            ///< first of the literals whose surfaces coincide here
+};
+
+/// Cuts one patch.
+class PatchCutter {
+ public:
+  PatchCutter(const BoundaryModel& model, const BoundaryPatch& patch, PatchPart& out)
+      : model_(model),
+        patch_(patch),
+        literal_(model.literal_of(patch)),
+        inside_(model.tree),
+        out_(out) {}
+
+  void cut() {
+    std::vector<int> others;
+    for (int l = 0; l < static_cast<int>(model_.bounds.size()); ++l) {
+      if (l != patch_.literal) others.push_back(l);
+    }
+    visit({}, others);
+  }
+
+ private:
+  double distance(int l, const Vec3& p, double reach) const { return model_.distance(l, p, reach); }
+  PatchPoint at(const Vec2& uv) const { return point_on(literal_, patch_, uv.x(), uv.y()); }
+  double same() const { return model_.same(); }
+  double beside() const { return kBeside * model_.diagonal; }
+
+  /// `open`: the literals whose surfaces may cross the cell; of others it is known what they hold.
+  void visit(const Cell& cell, const std::vector<int>& open) {
+    const double reach = radius(cell) + beside();
+    const Vec3 middle = at(cell.middle()).position;
+    std::vector<int> still_open;
+    bool are_same = true;
+    for (const int l : open) {
+      const double d = distance(l, middle, reach);
+      if (std::abs(d) > reach) {
+        inside_.set(l, known(d < 0));
+      } else {
+        inside_.set(l, Known::Open);
+        still_open.push_back(l);
+        are_same = are_same && std::abs(d) < same();
+      }
+    }
+    inside_.set(patch_.literal, Known::Open);
+    const std::size_t before = inside_.settle();
+    if (inside_.answer() == Known::Open) resolve(cell, still_open, are_same);
+    inside_.forget(before);
+  }
+
+  /// Where the solid may depend on the patch's literal.
+  void resolve(const Cell& cell, const std::vector<int>& open, bool are_same) {
+    const Known behind = beside_patch(Known::Yes);
+    const Known ahead = beside_patch(Known::No);
+    if (behind != Known::Open && ahead != Known::Open) {
+      if (behind != ahead) emit_whole(cell, behind == Known::Yes);
+      return;
+    }
+    forget_answers(open.size());
+    if (are_same && coincide(cell, open)) {
+      const Probe p = probe(cell.middle(), open);
+      if (is_mine(p)) emit_whole(cell, p.is_outward);
+      return;
+    }
+    if (has_columns(cell) || has_rows(cell) || radius(cell) >= kFinest * model_.diagonal) {
+      visit_halves(cell, open);
+    } else {
+      emit_cut(cell, open);
+    }
+  }
+
+  void visit_halves(const Cell& cell, const std::vector<int>& open) {
+    const bool is_small = radius(cell) < kFinest * model_.diagonal;
+    if (is_small ? has_columns(cell) : u_length(cell) > v_length(cell)) {
+      visit({cell.u0, cell.middle().x(), cell.v0, cell.v1}, open);
+      visit({cell.middle().x(), cell.u1, cell.v0, cell.v1}, open);
+    } else {
+      visit({cell.u0, cell.u1, cell.v0, cell.middle().y()}, open);
+      visit({cell.u0, cell.u1, cell.middle().y(), cell.v1}, open);
+    }
+  }
+
+  double u_length(const Cell& cell) const { return patch_.u_length * (cell.u1 - cell.u0); }
+  double v_length(const Cell& cell) const { return patch_.v_length * (cell.v1 - cell.v0); }
+  /// No point of the cell is further from its middle.
+  double radius(const Cell& cell) const { return (u_length(cell) + v_length(cell)) / 2; }
+  bool has_columns(const Cell& cell) const { return (cell.u1 - cell.u0) * patch_.u_facets > 1; }
+  bool has_rows(const Cell& cell) const { return (cell.v1 - cell.v0) * patch_.v_facets > 1; }
+
+  /// What lies on the patch's inner (`Known::Yes`) or outer side.
+  Known beside_patch(Known side) {
+    inside_.set(patch_.literal, side);
+    return inside_.answer();
+  }
+
+  /// Whether the literals' surfaces run through all corners of the cell.
+  bool coincide(const Cell& cell, const std::vector<int>& literals) const {
+    for (int k = 0; k < 4; ++k) {
+      const Vec3 p = at(cell.corner(k)).position;
+      const auto is_on = [&](int l) { return std::abs(distance(l, p, same())) < same(); };
+      if (!std::all_of(literals.begin(), literals.end(), is_on)) return false;
+    }
+    return true;
+  }
+
+  Probe probe(const Vec2& uv, const std::vector<int>& open) {
+    const PatchPoint point = at(uv);
+    tied_.clear();
+    for (const int l : open) {
+      const double d = distance(l, point.position, same());
+      inside_.set(l, known(d < 0));
+      if (std::abs(d) < same()) tied_.push_back(l);
+    }
+    const auto hold_at = [&](double offset) {
+      for (const int l : tied_) {
+        const double d = distance(l, point.position + offset * point.normal, 0);
+        inside_.set(l, known(d < 0));
+      }
+      inside_.set(patch_.literal, known(offset < 0));
+      return answer_for(open) == Known::Yes;
+    };
+    const bool behind = hold_at(-beside());
+    behind_.clear();
+    for (const int l : tied_) behind_.push_back(inside_.of(l));
+    const bool ahead = hold_at(beside());
+    Probe out;
+    out.is_boundary = behind != ahead;
+    out.is_outward = behind;
+    out.owner = patch_.literal;
+    for (std::size_t i = 0; i < tied_.size(); ++i) {
+      if (behind_[i] == inside_.of(tied_[i])) continue;
+      if (out.is_boundary && patch_.is_flat) note_flush(tied_[i]);
+      out.owner = std::min(out.owner, tied_[i]);
+    }
+    return out;
+  }
+
+  /// The answer for what the literals of the cell hold; each case is worked out once.
+  Known answer_for(const std::vector<int>& open) {
+    if (remembered_.empty()) return inside_.answer();
+    std::size_t number = inside_.of(patch_.literal) == Known::Yes ? 1 : 0;
+    for (const int l : open) number = 2 * number + (inside_.of(l) == Known::Yes ? 1 : 0);
+    Known& answer = remembered_[number];
+    if (answer == Known::Open) answer = inside_.answer();
+    return answer;
+  }
+
+  void forget_answers(std::size_t open) {
+    constexpr std::size_t kMostLiterals = 8;
+    remembered_.assign(open > kMostLiterals ? 0 : std::size_t{2} << open, Known::Open);
+  }
+
+  bool is_mine(const Probe& p) const { return p.is_boundary && p.owner == patch_.literal; }
+
+  void emit_whole(const Cell& cell, bool is_outward) {
+    const int columns = facets_across(cell.u1 - cell.u0, patch_.u_facets);
+    const int rows = facets_across(cell.v1 - cell.v0, patch_.v_facets);
+    for (int i = 0; i < columns; ++i) {
+      for (int j = 0; j < rows; ++j) {
+        const Cell facet{std::lerp(cell.u0, cell.u1, double(i) / columns),
+                         std::lerp(cell.u0, cell.u1, double(i + 1) / columns),
+                         std::lerp(cell.v0, cell.v1, double(j) / rows),
+                         std::lerp(cell.v0, cell.v1, double(j + 1) / rows)};
+        emit_polygon({facet.corner(0), facet.corner(1), facet.corner(2), facet.corner(3)},
+                     is_outward);
+      }
+    }
+  }
+
+  static int facets_across(double share, int facets) {
+    return std::max(1, static_cast<int>(std::lround(share * facets)));
+  }
+
+  void emit_cut(const Cell& cell, const std::vector<int>& open) {
+    std::array<Probe, 4> corners;
+    int mine = 0;
+    bool is_outward = true;
+    for (int k = 0; k < 4; ++k) {
+      corners[k] = probe(cell.near_corner(k), open);
+      if (!is_mine(corners[k])) continue;
+      ++mine;
+      is_outward = corners[k].is_outward;
+    }
+    if (mine == 0) return;
+    std::vector<Vec2> polygon;
+    for (int k = 0; k < 4; ++k) {
+      const int next = (k + 1) % 4;
+      if (is_mine(corners[k])) polygon.push_back(cell.corner(k));
+      if (is_mine(corners[k]) == is_mine(corners[next])) continue;
+      polygon.push_back(is_mine(corners[k])
+                            ? crossing(cell.near_corner(k), cell.near_corner(next), open)
+                            : crossing(cell.near_corner(next), cell.near_corner(k), open));
+      // What lies beyond is no edge where the same face goes on as another literal's.
+      const Probe& beyond = corners[is_mine(corners[k]) ? next : k];
+      crossings_.push_back({polygon.back(), beyond.is_boundary});
+    }
+    for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) {
+      if (crossings_[i].goes_on && crossings_[i + 1].goes_on) continue;
+      add_line(crossings_[i].uv, crossings_[i + 1].uv);
+    }
+    crossings_.clear();
+    emit_polygon(polygon, is_outward);
+  }
+
+  /// Between a point of the visible part and one beyond.
+  Vec2 crossing(Vec2 mine, Vec2 other, const std::vector<int>& open) {
+    for (int i = 0; i < kBisections; ++i) {
+      const Vec2 middle = (mine + other) / 2;
+      (is_mine(probe(middle, open)) ? mine : other) = middle;
+    }
+    return mine;
+  }
+
+  void emit_polygon(const std::vector<Vec2>& polygon, bool is_outward) {
+    Vec2 middle = Vec2::Zero();
+    for (const Vec2& uv : polygon) middle += uv / static_cast<double>(polygon.size());
+    std::vector<BoundaryCorner> corners;
+    for (const Vec2& uv : polygon) {
+      const Vec3 normal = at(uv).normal;
+      corners.push_back({shown_at(uv, middle), is_outward ? normal : Vec3(-normal), 0});
+    }
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+      emit_triangle(corners[0], corners[i], corners[i + 1]);
+    }
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      emit_border(polygon[i], polygon[(i + 1) % polygon.size()], middle);
+    }
+  }
+
+  /// On the facet that stands for the true surface, the one that holds `within`.
+  Vec3 shown_at(const Vec2& uv, const Vec2& within) const {
+    if (patch_.is_flat && patch_.u_facets == 1 && patch_.v_facets == 1) return at(uv).position;
+    const double u = std::floor(within.x() * patch_.u_facets);
+    const double v = std::floor(within.y() * patch_.v_facets);
+    const auto facet_corner = [&](double du, double dv) {
+      return at({(u + du) / patch_.u_facets, (v + dv) / patch_.v_facets}).position;
+    };
+    const double s = uv.x() * patch_.u_facets - u;
+    const double t = uv.y() * patch_.v_facets - v;
+    return (1 - t) * ((1 - s) * facet_corner(0, 0) + s * facet_corner(1, 0)) +
+           t * ((1 - s) * facet_corner(0, 1) + s * facet_corner(1, 1));
+  }
+
+  void emit_triangle(const BoundaryCorner& a, const BoundaryCorner& b, const BoundaryCorner& c) {
+    const Vec3 across = (b.position - a.position).cross(c.position - a.position);
+    if (across.norm() <= 0) return;
+    out_.area += across.norm() / 2;
+    const bool is_turned = across.dot(a.normal + b.normal + c.normal) < 0;
+    out_.corners.insert(out_.corners.end(), {a, is_turned ? c : b, is_turned ? b : c});
+  }
+
+  /// A line where the patch ends, unless the surface goes on as another literal's.
+  void emit_border(const Vec2& from, const Vec2& to, const Vec2& middle) {
+    for (int k = 0; k < 4; ++k) {
+      const int axis = k / 2;
+      const double end = k % 2;
+      if (!patch_.ends[k] || from[axis] != end || to[axis] != end) continue;
+      Vec2 on_border = (from + to) / 2;
+      const PatchPoint point = at(on_border);
+      on_border[axis] = middle[axis];
+      const Vec3 outward = point.position - at(on_border).position;
+      if (outward.norm() <= 0 || goes_on(point, outward.normalized())) continue;
+      out_.lines.push_back({shown_at(from, middle), shown_at(to, middle), 0});
+    }
+  }
+
+  bool goes_on(const PatchPoint& point, const Vec3& outward) {
+    const Vec3 beyond = point.position + 2 * beside() * outward;
+    const Vec3 step = beside() * point.normal;
+    if (model_.solid.contains(beyond + step) == model_.solid.contains(beyond - step)) return false;
+    if (patch_.is_flat) note_flush(beyond);
+    return true;
+  }
+
+  /// The literals that carry a flat patch on.
+  void note_flush(const Vec3& beyond) {
+    for (int l = 0; l < static_cast<int>(model_.bounds.size()); ++l) {
+      if (l != patch_.literal && std::abs(distance(l, beyond, same())) < same()) note_flush(l);
+    }
+  }
+
+  void note_flush(int literal) {
+    const bool is_known =
+        std::find(out_.flush.begin(), out_.flush.end(), literal) != out_.flush.end();
+    if (!is_known) out_.flush.push_back(literal);
+  }
+
+  void add_line(const Vec2& from, const Vec2& to) {
+    const Vec2 middle = (from + to) / 2;
+    out_.lines.push_back({shown_at(from, middle), shown_at(to, middle), 0});
+  }
+
+  struct Crossing {
+    Vec2 uv;
+    bool goes_on;
+  };
+
+  const BoundaryModel& model_;
+  const BoundaryPatch& patch_;
+  const Literal& literal_;
+  PartialAnswer inside_;
+  PatchPart& out_;
+  std::vector<Known> remembered_;  ///< answers in the cell, by the bits of its open literals
+  std::vector<int> tied_;
+  std::vector<Known> behind_;
+  std::vector<Crossing> crossings_;
+};
+
+}  // namespace
+
+PatchPart cut_patch(const BoundaryModel& model, const BoundaryPatch& patch) {
+  PatchPart out;
+  PatchCutter(model, patch, out).cut();
+  return out;
+}
+
+}  // namespace hewn
