@@ -177,6 +177,7 @@ std::string Studio::status_line() const {
                         {"partitions", document.project.root.children.size()},
                         {"results", session.results().size()},
                         {"is_current", session.current_result() != nullptr},
+                        {"is_draft", session.shows_draft()},
                         {"has_view", session.result_view() != nullptr},
                         {"has_plane", state_.knife.plane.has_value()},
                         {"has_file_panel", state_.file.kind != FileRequest::Kind::None},

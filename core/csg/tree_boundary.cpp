@@ -25,10 +25,12 @@ std::vector<std::int32_t> labels_of_ends(const BoundaryModel& model,
 
 }  // namespace
 
-Result<TreeBoundary> tree_boundary(const Tree& tree, double diagonal, const RunContext& run) {
+Result<TreeBoundary> tree_boundary(const Tree& tree, double diagonal, const RunContext& run,
+                                   BoundaryDetail detail) {
   TreeBoundary out;
   if (tree.is_empty()) return out;
-  const BoundaryModel model(tree, diagonal);
+  const double finest = diagonal / (detail == BoundaryDetail::Fine ? 300 : 100);
+  const BoundaryModel model(tree, diagonal, finest);
   std::vector<PatchPart> parts(model.patches.size());
   for_each_index(run.threads, parts.size(), [&](std::size_t p) {
     if (!run.is_cancelled()) parts[p] = cut_patch(model, model.patches[p]);

@@ -31,9 +31,12 @@ struct TreeBoundary {
   std::vector<std::int32_t> shown;
 };
 
-/// `diagonal`: of the model, for what is near and what is small: edges are found to 1e-6 of it,
-/// corners are cut off by at most 1/300 of it.
+/// Pieces with a corner in them are smaller than 1/150, or 1/50, of the diagonal.
+enum class BoundaryDetail { Fine, Rough };
+
+/// `diagonal`: of the model, for what is near and what is small: edges are found to 1e-5 of it.
 /// Fails with: Cancelled. Cost: O(length of all edges x literals near them). Deterministic.
-Result<TreeBoundary> tree_boundary(const Tree& tree, double diagonal, const RunContext& run);
+Result<TreeBoundary> tree_boundary(const Tree& tree, double diagonal, const RunContext& run,
+                                   BoundaryDetail detail = BoundaryDetail::Fine);
 
 }  // namespace hewn

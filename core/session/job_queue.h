@@ -8,6 +8,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/base/run_context.h"
@@ -47,6 +48,9 @@ class JobQueue {
   void on_machine_notice(MachineNotice sink) { on_machine_notice_ = std::move(sink); }
   /// Returns the job's id.
   int add(std::string name, JobWork work);
+  /// Has `completion` run on the owner's thread, too, while the job goes on. For the work; from any
+  /// thread.
+  void post(JobCompletion completion) { hand_over(std::move(completion), false); }
   /// Asks a job to stop, or takes it out of the queue; its completion still runs if it has begun.
   void cancel(int id);
   void cancel_all();

@@ -12,7 +12,9 @@
 #include "core/compute/parallel.h"
 #include "core/csg/protrude.h"
 #include "core/segment/segment.h"
+#include "core/session/draft_board.h"
 #include "core/session/free_form.h"
+#include "core/session/join_partitions.h"
 #include "core/session/part_report.h"
 
 namespace hewn {
@@ -91,6 +93,18 @@ bool is_flat(const Mesh& mesh) {
   });
 }
 
+}  // namespace
+
+RunContext beside_search(const RunContext& run) {
+  RunContext quiet = run;
+  quiet.threads = 1;
+  quiet.on_progress = {};
+  quiet.on_log = {};
+  return quiet;
+}
+
+namespace {
+
 class Reconstructor {
  public:
   Reconstructor(const Project& project, const RunContext& run) : project_(project), run_(run) {
@@ -109,7 +123,7 @@ class Reconstructor {
     run_.compute->prepare(run_);
   }
 
-  void tell(PartBoard* board) { board_ = board; }
+  void tell(const SearchWatch& watch) { watch_ = watch; }
 
   /// Of stages that ran before this object was made.
   void keep_warnings(const std::vector<std::string>& warnings) { out_.warnings = warnings; }
@@ -162,8 +176,9 @@ class Reconstructor {
 
     auto partitions = resolve_partitions(project_, out_.prepared, run_);
     if (!partitions) return partitions.error();
-    if (auto found = search(*partitions); !found) return found.error();
-    out_.tree = with_protruding_tools(flattened(join(*partitions)));
+    auto trees = search(*partitions);
+    if (!trees) return trees.error();
+    out_.tree = with_protruding_tools(flattened(join_partitions(*partitions, *trees)));
     out_.times.push_back({"search", watch.lap()});
 
     auto score = score_tree(*out_.prepared.query, out_.tree, project_.settings.verify, run_);
@@ -226,38 +241,64 @@ class Reconstructor {
   }
 
   /// Finds the tree of every partition that has groups, side by side.
-  Result<void> search(const std::vector<Partition>& partitions) {
+  Result<std::vector<std::optional<Tree>>> search(const std::vector<Partition>& partitions) {
+    std::vector<std::size_t> work;
+    std::vector<bool> searched;
     for (std::size_t p = 0; p < partitions.size(); ++p) {
-      if (!partitions[p].groups.empty()) work_.push_back(p);
+      searched.push_back(!partitions[p].groups.empty());
+      if (searched.back()) work.push_back(p);
     }
-    if (work_.empty()) {
+    if (work.empty()) {
       return Error{ErrorCode::InvalidArgument, "no partition has a face group: nothing to do"};
     }
-    std::vector<std::optional<Result<PartitionResult>>> answers(work_.size());
+    DraftBoard drafts(searched, [&](const auto& trees) { show_draft(partitions, trees); });
+    std::vector<std::optional<Result<PartitionResult>>> answers(work.size());
     std::vector<PartReport> reports;
-    for (const std::size_t p : work_) reports.emplace_back(board_, partitions[p].name);
-    SharedProgress progress(run_, work_.size());
-    for_each_index(run_.threads, work_.size(), [&](std::size_t i) {
+    for (const std::size_t p : work) reports.emplace_back(watch_.board, partitions[p].name);
+    SharedProgress progress(run_, work.size());
+    for_each_index(run_.threads, work.size(), [&](std::size_t i) {
+      const std::size_t p = work[i];
+      DraftSink on_draft;
+      if (watch_.on_draft) on_draft = [&, p](const auto& make) { drafts.update(p, make); };
       reports[i].begin();
-      answers[i] = search_one(partitions[work_[i]], progress.context_for(i, reports[i]));
+      answers[i] = search_one(partitions[p], on_draft, progress.context_for(i, reports[i]));
       reports[i].end(*answers[i]);
+      if (on_draft && *answers[i]) on_draft([&] { return (*answers[i])->answer.tree; });
     });
-    for (auto& answer : answers) {
-      if (!*answer) return answer->error();
-      if ((*answer)->is_polyhedron) {
+    std::vector<std::optional<Tree>> trees(partitions.size());
+    for (std::size_t i = 0; i < work.size(); ++i) {
+      auto& answer = *answers[i];
+      if (!answer) return answer.error();
+      if (answer->is_polyhedron) {
         run_.warn(
-            fmt::format("no primitives explain '{}': it is kept as a polyhedron", (*answer)->name));
+            fmt::format("no primitives explain '{}': it is kept as a polyhedron", answer->name));
       }
-      if ((*answer)->free_form_share > 0) {
+      if (answer->free_form_share > 0) {
         run_.warn(fmt::format("{:.2g} % of the surface is free-form: kept as a polyhedron",
-                              100 * (*answer)->free_form_share));
+                              100 * answer->free_form_share));
       }
-      out_.partitions.push_back(std::move(**answer));
+      trees[work[i]] = answer->answer.tree;
+      out_.partitions.push_back(std::move(*answer));
     }
-    return {};
+    return trees;
   }
 
-  Result<PartitionResult> search_one(const Partition& partition, const RunContext& run) const {
+  void show_draft(const std::vector<Partition>& partitions,
+                  const std::vector<std::optional<Tree>>& trees) const {
+    Reconstruction draft;
+    draft.mesh_report = out_.mesh_report;
+    draft.prepared = out_.prepared;
+    draft.surfaces = out_.surfaces;
+    draft.tree = flattened(join_partitions(partitions, trees));
+    const RunContext quiet = beside_search(run_);
+    auto score = score_tree(*draft.prepared.query, draft.tree, project_.settings.verify, quiet);
+    if (!score) return;
+    draft.score = *score;
+    watch_.on_draft(std::move(draft));
+  }
+
+  Result<PartitionResult> search_one(const Partition& partition, const DraftSink& on_draft,
+                                     const RunContext& run) const {
     const Segmentation& segmentation = out_.prepared.segmentation;
     PartitionResult result;
     result.name = partition.name;
@@ -276,6 +317,7 @@ class Reconstructor {
     problem.surfaces = &surfaces;
     if (!is_whole) problem.groups = partition.groups;
     problem.is_subtracted = partition.is_subtracted;
+    problem.on_draft = on_draft;
     const Settings& settings = project_.settings;
     const bool evolves = settings.tree.search == static_cast<int>(TreeSearchKind::Evolve);
     auto answer = evolves ? evolve_tree(problem, settings.evolve, run)
@@ -311,49 +353,11 @@ class Reconstructor {
     return true;
   }
 
-  /// The partitions' trees under the user's expression.
-  Tree join(const std::vector<Partition>& partitions) const {
-    Tree tree;
-    tree.root = join_below(partitions, 0, tree);
-    return tree;
-  }
-
-  int join_below(const std::vector<Partition>& partitions, int here, Tree& tree) const {
-    int node = -1;
-    for (std::size_t i = 0; i < work_.size(); ++i) {
-      if (static_cast<int>(work_[i]) == here) node = tree.graft(out_.partitions[i].answer.tree);
-    }
-    const bool is_only = partitions.size() == 1;
-    if (node >= 0 && !is_only) node = named(tree, node, partitions[here].name);
-    for (std::size_t p = 0; p < partitions.size(); ++p) {
-      if (partitions[p].parent != here) continue;
-      const int child = join_below(partitions, static_cast<int>(p), tree);
-      if (child < 0) {
-        if (partitions[p].op == Op::Intersection) node = -1;
-        continue;
-      }
-      if (node < 0) {
-        node = partitions[p].op == Op::Union ? child : -1;
-      } else {
-        node = tree.add_node(partitions[p].op, {node, child});
-      }
-    }
-    return node;
-  }
-
-  /// Gives the node a name; one that already has a name is wrapped.
-  static int named(Tree& tree, int node, const std::string& name) {
-    if (!tree.nodes[node].name.empty()) return tree.add_node(Op::Union, {node}, name);
-    tree.nodes[node].name = name;
-    return node;
-  }
-
   const Project& project_;
-  PartBoard* board_ = nullptr;
+  SearchWatch watch_;
   RunContext run_;
   std::mutex mutex_;
   Reconstruction out_;
-  std::vector<std::size_t> work_;  ///< partitions with groups of their own
 };
 
 }  // namespace
@@ -381,9 +385,9 @@ Result<Reconstruction> reconstruct(const Project& project, const RunContext& run
 }
 
 Result<Reconstruction> reconstruct(const Project& project, SegmentedMesh segmented,
-                                   const RunContext& run, PartBoard* board) {
+                                   const RunContext& run, const SearchWatch& watch) {
   Reconstructor reconstructor(project, run);
-  reconstructor.tell(board);
+  reconstructor.tell(watch);
   reconstructor.keep_warnings(segmented.report.warnings);
   return reconstructor.run(std::move(segmented));
 }

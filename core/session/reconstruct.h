@@ -1,6 +1,7 @@
 #pragma once
 /// The whole way from a project to a checked tree: load, segment, regularise, search every
 /// partition, join, verify.
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,6 +17,20 @@
 namespace hewn {
 
 class PartBoard;
+
+struct Reconstruction;
+
+/// For work on drafts: silent, and on one thread, since one that waits for others would first take
+/// up some of the search's work.
+RunContext beside_search(const RunContext& run);
+
+/// Who looks on while a search runs.
+struct SearchWatch {
+  PartBoard* board = nullptr;  ///< told how far each partition is; null: nobody
+  /// Gets better and better results on the way, measured like the last one; from any of the
+  /// search's threads, one at a time. Which ones depends on the clock. May be empty.
+  std::function<void(Reconstruction draft)> on_draft;
+};
 
 /// What became of one partition that has groups of its own.
 struct PartitionResult {
@@ -67,8 +82,8 @@ Result<Reconstruction> with_edits(Reconstruction found, const Project& project,
                                   const RunContext& run);
 
 /// The second half alone: `segmented` is what `segment_project` made of the same project.
-/// The same result as that of the whole. `board`: told how far each partition is; null: nobody.
+/// The same result as that of the whole, whoever watches.
 Result<Reconstruction> reconstruct(const Project& project, SegmentedMesh segmented,
-                                   const RunContext& run, PartBoard* board = nullptr);
+                                   const RunContext& run, const SearchWatch& watch = {});
 
 }  // namespace hewn

@@ -48,12 +48,13 @@ std::vector<double> vertex_deviations(const Tree& tree, const Mesh& mesh, const 
 
 }  // namespace
 
-Result<ResultView> build_result_view(const Reconstruction& found, const RunContext& run) {
+Result<ResultView> build_result_view(const Reconstruction& found, const RunContext& run,
+                                     BoundaryDetail detail) {
   ResultView view;
   const Mesh& mesh = *found.prepared.mesh;
   auto program = encode_tree(found.tree);
   run.report("draw", 0);
-  auto boundary = tree_boundary(found.tree, mesh.diagonal(), run);
+  auto boundary = tree_boundary(found.tree, mesh.diagonal(), run, detail);
   if (!boundary) return boundary.error();
   view.surface = build_display_mesh(*boundary);
   if (program) program->shown = std::move(boundary->shown);

@@ -26,6 +26,7 @@ struct ResultView {
 };
 
 /// Fails with: Cancelled.
-Result<ResultView> build_result_view(const Reconstruction& found, const RunContext& run);
+Result<ResultView> build_result_view(const Reconstruction& found, const RunContext& run,
+                                     BoundaryDetail detail = BoundaryDetail::Fine);
 
 }  // namespace hewn

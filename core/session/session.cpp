@@ -15,12 +15,6 @@ namespace {
 /// The newest results stay; each holds a few hundred kilobytes beside the shared mesh.
 constexpr std::size_t kMostResults = 64;
 
-double total_seconds(const Reconstruction& found) {
-  double sum = 0;
-  for (const StageTime& time : found.times) sum += time.seconds;
-  return sum;
-}
-
 std::string text_of(const Error& error) {
   return error.where.empty() ? error.message : error.where + ": " + error.message;
 }
@@ -31,27 +25,6 @@ bool shapes_groups(const SessionCommand& command) {
          std::holds_alternative<DeleteCut>(command) ||
          std::holds_alternative<MergeGroups>(command) ||
          std::holds_alternative<DeleteMerge>(command) || std::holds_alternative<SetPlan>(command);
-}
-
-using SharedResult = std::shared_ptr<const FoundResult>;
-
-/// The result of a search from the groups as they stand; of `base`, when it is there, with the
-/// plan's edits of literals.
-Result<SharedResult> search(const Document& document, const SharedResult& base, std::string source,
-                            const RunContext& run, PartBoard* board = nullptr) {
-  SegmentedMesh segmented;
-  segmented.report = document.source->report;
-  segmented.prepared = *document.prepared;
-  auto found = base ? with_edits(base->found, document.project, run)
-                    : reconstruct(document.project, std::move(segmented), run, board);
-  if (!found) return found.error();
-  auto result = std::make_shared<FoundResult>();
-  result->project = document.project;
-  result->plan = plan_text(document.project);
-  result->source = std::move(source);
-  result->seconds = total_seconds(*found);
-  result->found = std::move(*found);
-  return SharedResult(std::move(result));
 }
 
 Result<void> write_result(const FoundResult& result, const ExportTree& command,
@@ -220,6 +193,7 @@ Result<void> Session::open(const std::filesystem::path& path) {
   }
   cancel_jobs();
   results_.clear();
+  draft_ = {};
   last_result_ = view_of_ = nullptr;
   view_ = nullptr;
   display_of_ = nullptr;
@@ -323,20 +297,26 @@ int Session::add_search(const Project& project, const std::string& source) {
       if (!view.partition.groups.empty()) board->update({.name = view.partition.name});
     }
   }
-  return jobs_.add(std::move(name),
-                   [this, document, base, source, board](const RunContext& run) -> JobCompletion {
-                     auto result = search(document, base, source, run, board.get());
-                     if (!result) board->stop();
-                     return [this, result, searched = plan_text(document.project)] {
-                       ++revision_;
-                       if (result) {
-                         adopt_result(*result);
-                       } else if (result.error().code != ErrorCode::Cancelled) {
-                         if (searched == plan()) failure_ = text_of(result.error());
-                         report(result.error());
-                       }
-                     };
-                   });
+  PlanSearch search{document, base, source, wants_views_ && source == "plan", board.get(), {}};
+  if (search.draws) {
+    search.on_draft = [this](const DrawnResult& draft) {
+      jobs_.post([this, draft] { adopt_draft(draft); });
+    };
+  }
+  return jobs_.add(std::move(name), [this, search, board](const RunContext& run) -> JobCompletion {
+    auto outcome = search_plan(search, run);
+    if (!outcome) board->stop();
+    return [this, outcome, searched = plan_text(search.document.project)] {
+      ++revision_;
+      if (outcome) {
+        adopt_result(*outcome);
+      } else if (outcome.error().code != ErrorCode::Cancelled) {
+        draft_ = {};
+        if (searched == plan()) failure_ = text_of(outcome.error());
+        report(outcome.error());
+      }
+    };
+  });
 }
 
 Result<void> Session::start_search() {
@@ -384,12 +364,25 @@ void Session::search_variants() {
   add(brief, "brief search");
 }
 
-void Session::adopt_result(std::shared_ptr<const FoundResult> result) {
+void Session::adopt_draft(const DrawnResult& draft) {
+  ++revision_;
+  if (draft.result->plan == plan() && !current_result()) draft_ = draft;
+}
+
+void Session::adopt_result(const DrawnResult& drawn) {
+  const SharedResult& result = drawn.result;
   std::erase_if(results_, [&result](const auto& r) { return r->plan == result->plan; });
   results_.push_back(result);
   if (results_.size() > kMostResults) results_.erase(results_.begin());
   if (result->plan == plan() || !last_result_) last_result_ = result;
-  if (wants_views_) start_view(shown_result());
+  if (draft_.result && draft_.result->plan == result->plan) draft_ = {};
+  if (!wants_views_) return;
+  if (drawn.view && result == shown_result()) {
+    view_of_ = result;
+    view_ = drawn.view;
+  } else {
+    start_view(shown_result());
+  }
 }
 
 void Session::start_view(const std::shared_ptr<const FoundResult>& result) {
@@ -420,17 +413,17 @@ Result<void> Session::export_tree(const ExportTree& command) {
   jobs_.add("exporting",
             [this, command, ready, base = unedited_result(),
              document = document()](const RunContext& run) -> JobCompletion {
-              auto result = ready ? ready : Result<std::shared_ptr<const FoundResult>>(nullptr);
-              if (!ready) result = search(document, base, "plan", run);
+              auto result =
+                  ready ? DrawnResult{ready, nullptr} : search_plan({document, base, "plan"}, run);
               Result<void> done;
               if (!result) {
                 done = result.error();
               } else {
-                done = write_result(**result, command, run);
+                done = write_result(*result->result, command, run);
               }
               return [this, result, done, path = command.path] {
                 ++revision_;
-                if (result && *result != current_result()) adopt_result(*result);
+                if (result && result->result != current_result()) adopt_result(*result);
                 if (done) {
                   notify(Severity::Info, fmt::format("wrote {}", path.string()));
                 } else {
@@ -489,11 +482,16 @@ std::shared_ptr<const FoundResult> Session::unedited_result() const {
 }
 
 std::shared_ptr<const FoundResult> Session::shown_result() const {
-  auto current = current_result();
-  return current ? current : last_result_;
+  if (auto current = current_result()) return current;
+  return shows_draft() ? draft_.result : last_result_;
+}
+
+bool Session::shows_draft() const {
+  return draft_.result && draft_.result->plan == plan() && !current_result();
 }
 
 std::shared_ptr<const ResultView> Session::result_view() const {
+  if (shows_draft()) return draft_.view;
   return view_of_ && view_of_ == shown_result() ? view_ : nullptr;
 }
 
@@ -512,7 +510,7 @@ bool Session::poll() {
   bool changed = edits_.poll();
   changed |= jobs_.poll();
   // Undo and redo may bring back another result than the one that is drawn.
-  if (wants_views_ && shown_result() != view_of_) start_view(shown_result());
+  if (wants_views_ && !shows_draft() && shown_result() != view_of_) start_view(shown_result());
   return changed;
 }
 

@@ -15,7 +15,7 @@
 #include "core/session/history.h"
 #include "core/session/job_queue.h"
 #include "core/session/part_board.h"
-#include "core/session/result_view.h"
+#include "core/session/plan_search.h"
 
 namespace hewn {
 
@@ -23,15 +23,6 @@ namespace hewn {
 struct Notice {
   Severity severity = Severity::Info;
   std::string text;
-};
-
-/// A tree that was found, with the plan that it belongs to. Immutable.
-struct FoundResult {
-  Project project;
-  std::string plan;    ///< `plan_text` of the project
-  std::string source;  ///< short: "plan", "8 starts", "seed 2"
-  Reconstruction found;
-  double seconds = 0;
 };
 
 /// One thread owns a session; only the jobs run elsewhere.
@@ -84,8 +75,11 @@ class Session {
   const std::vector<std::shared_ptr<const FoundResult>>& results() const { return results_; }
   /// The result for the plan as it is; null when there is none yet.
   std::shared_ptr<const FoundResult> current_result() const;
-  /// The current result, or the last one while the plan has none. Null when there is none at all.
+  /// The current result; while the plan has none, the best that its search has found on the way, or
+  /// else the last one of another plan. Null when there is none at all.
   std::shared_ptr<const FoundResult> shown_result() const;
+  /// Whether the shown result is one that was found on the way: a better one may follow.
+  bool shows_draft() const;
   /// What is drawn of the shown result; null until its job is done.
   std::shared_ptr<const ResultView> result_view() const;
   /// The partitions of the document with their groups; see `partition_views`.
@@ -124,7 +118,8 @@ class Session {
   void plan_changed();
   void start_reading();
   void adopt_source(const Project& project, Result<Document> read);
-  void adopt_result(std::shared_ptr<const FoundResult> result);
+  void adopt_draft(const DrawnResult& draft);
+  void adopt_result(const DrawnResult& drawn);
   void start_view(const std::shared_ptr<const FoundResult>& result);
   std::shared_ptr<const FoundResult> result_for(const std::string& plan) const;
   std::shared_ptr<const FoundResult> unedited_result() const;
@@ -147,6 +142,7 @@ class Session {
   bool is_live_ = false;
   std::vector<std::shared_ptr<const FoundResult>> results_;
   std::shared_ptr<const FoundResult> last_result_;
+  DrawnResult draft_;  ///< of the search that runs
   std::shared_ptr<const FoundResult> view_of_;
   std::shared_ptr<const ResultView> view_;
   bool wants_views_ = true;

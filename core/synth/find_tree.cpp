@@ -83,6 +83,7 @@ class TreeSearch {
         starts_(options.starts),
         cut_(cut),
         run_(run),
+        tells_drafts_(problem.on_draft != nullptr),
         label_(*problem.query, *problem.segmentation, problem.groups, problem.is_subtracted),
         surfaces_(select_surfaces(*problem.surfaces, label_)),
         triangles_(triangles_of(*problem.segmentation, problem.groups)),
@@ -135,6 +136,9 @@ class TreeSearch {
   }
 
   bool has_cut_corners() const { return corners_ > 0; }
+
+  /// For the second search of a problem, whose first lists are no news.
+  void keep_drafts() { tells_drafts_ = false; }
 
   /// For one of two searches of the same problem, whose constructions differ enough.
   void halve_starts() { starts_ = (starts_ + 1) / 2; }
@@ -215,6 +219,10 @@ class TreeSearch {
     }
   }
 
+  void tell_draft(const FoundList& found) const {
+    problem_.on_draft([&] { return lowered(found.list, found.is_clipped(), false); });
+  }
+
   bool search_round(int round) {
     rebuild_columns();
     run_.report("search", share_done(round, 0));
@@ -225,6 +233,7 @@ class TreeSearch {
     list.regrow_tries = options_.regrow_tries;
     list.may_clip = !problem_.is_subtracted;
     ListSearch search(spaces_, list, stream(round, 0), run_);
+    if (tells_drafts_) search.on_found([this](const FoundList& f) { tell_draft(f); });
     bool has_list = round > 0 && search.repair(current_);
     if (!has_list) {
       const auto progress = [&](double share) { run_.report("search", share_done(round, share)); };
@@ -269,6 +278,7 @@ class TreeSearch {
     if (is_better) {
       best_ = current_;
       best_error_ = error;
+      if (tells_drafts_) tell_draft(current_);
     }
     if (round >= (v.has_stray ? last_round() : options_.rounds) || run_.should_stop()) return false;
     if (!v.has_stray && static_cast<int>(v.counterexamples.size()) < kFewCounterexamples) {
@@ -334,6 +344,7 @@ class TreeSearch {
   int starts_;
   ArcCut cut_;
   const RunContext& run_;
+  bool tells_drafts_;
   Labeller label_;
   SurfaceSet surfaces_;
   std::vector<int> triangles_;
@@ -394,6 +405,7 @@ Result<TreeAnswer> find_tree(const TreeProblem& problem, const TreeSearchOptions
   TreeSearch chords(problem, options, ArcCut::Chord, run);
   if (const std::optional<Error> error = chords.prepare()) return *error;
   chords.halve_starts();
+  chords.keep_drafts();
   chords.show_progress_in(kBetween, TreeSearch::kProgressEnd);
   Result<TreeAnswer> other = chords.find();
   if (!answer || (!other && other.error().code == ErrorCode::Cancelled)) return other;

@@ -1,5 +1,6 @@
 #pragma once
 /// From labelled space and halfspaces to a CSG tree: the whole search, one call per partition.
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -13,6 +14,10 @@
 
 namespace hewn {
 
+/// Is told of a better tree that was found on the way, and makes it when it wants to see it. From
+/// the search's threads, also at the same time; nothing that is kept may depend on it.
+using DraftSink = std::function<void(const std::function<Tree()>& make)>;
+
 /// What one partition must reproduce. The pointees must outlive the call.
 struct TreeProblem {
   const MeshQuery* query = nullptr;
@@ -25,6 +30,7 @@ struct TreeProblem {
   std::vector<Literal> ignored;
   /// Inside and outside swap: the partition's solid will be subtracted.
   bool is_subtracted = false;
+  DraftSink on_draft = {};  ///< may be empty
 };
 
 enum class TreeSearchKind {

@@ -84,6 +84,24 @@ void draw_inspector(Ui& ui, const FoundResult& result) {
   ImGui::EndDisabled();
 }
 
+/// Why the shown tree is not the plan's.
+void draw_standing(Ui& ui) {
+  const Session& session = ui.session;
+  const bool is_searching = session.shows_draft() && session.is_busy();
+  const char* text = "The plan has changed since this tree was found.";
+  if (session.shows_draft()) {
+    text = is_searching ? "A first answer: the search goes on for a better one."
+                        : "The search was stopped: this is the best tree that it had found.";
+  } else if (!session.failure().empty()) {
+    text = session.failure().c_str();
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, is_searching ? ui.theme.faint : ui.theme.warning);
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
 void draw_empty(Ui& ui) {
   if (!ui.session.document().is_ready()) {
     faint_text(ui, "nothing yet");
@@ -127,15 +145,7 @@ void draw_result_panel(Ui& ui, const PanelArea& area) {
     ImGui::End();
     return;
   }
-  if (!is_current) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
-    ImGui::PushTextWrapPos();
-    ImGui::TextUnformatted(ui.session.failure().empty()
-                               ? "The plan has changed since this tree was found."
-                               : ui.session.failure().c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-  }
+  if (!is_current) draw_standing(ui);
   ImGui::Dummy({0, ui.px(4)});
   draw_numbers(ui, *result);
   ImGui::Dummy({0, ui.px(4)});

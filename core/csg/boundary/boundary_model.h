@@ -12,13 +12,17 @@ namespace hewn {
 struct BoundaryModel {
   const Tree& tree;
   double diagonal;
+  double finest;  ///< cells of patches are not cut into smaller ones; model units
   std::vector<LiteralBounds> bounds;
   std::vector<BoundaryPatch> patches;
   TreeInside solid;
 
-  /// `d`: the model's diagonal.
-  BoundaryModel(const Tree& t, double d)
-      : tree(t), diagonal(d), patches(boundary_patches(t, kDeflection * d)), solid(t) {
+  BoundaryModel(const Tree& t, double of_model, double smallest)
+      : tree(t),
+        diagonal(of_model),
+        finest(smallest),
+        patches(boundary_patches(t, kDeflection * of_model)),
+        solid(t) {
     for (const Literal& s : t.literals) bounds.emplace_back(s);
   }
 

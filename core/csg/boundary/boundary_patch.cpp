@@ -121,6 +121,8 @@ class PatchLister {
     patch.shape = shape;
     patch.literal = index_;
     patch.part = part;
+    patch.is_orthogonal =
+        !literal_.stretch && shape != PatchShape::PrismCap && shape != PatchShape::Facet;
     patch.u_length = scale_ * u_length;
     patch.v_length = scale_ * v_length;
     patches_.push_back(patch);

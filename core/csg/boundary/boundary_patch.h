@@ -13,6 +13,7 @@ struct BoundaryPatch {
   int literal = 0;
   int part = 0;  ///< which of them: twice the axis plus one if upper; a prism's side; a triangle
   bool is_flat = true;
+  bool is_orthogonal = false;  ///< lines of constant u and v meet at right angles everywhere
   /// Facets that stand for the patch in pictures, along u and v: powers of two.
   int u_facets = 1, v_facets = 1;
   /// No line of constant v (u) is longer; model units.

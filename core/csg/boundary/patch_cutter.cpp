@@ -11,10 +11,10 @@ namespace hewn {
 namespace {
 
 // Shares of the diagonal.
-constexpr double kFinest = 1.0 / 300;  ///< cells are not cut into smaller ones
-constexpr double kBeside = 2e-5;       ///< a point so far from a surface is on one side of it
-/// Halvings of a cell's side to find where an edge crosses it.
-constexpr int kBisections = 8;
+constexpr double kCoarsest = 0.1;   ///< larger ones are cut, even when an edge seems straight
+constexpr double kStraight = 5e-4;  ///< what an edge may be off a line that stands for it
+constexpr double kEdge = 1e-5;      ///< to which edges are found
+constexpr double kBeside = 2e-5;    ///< a point so far from a surface is on one side of it
 
 /// A rectangle of a patch's unit square.
 struct Cell {
@@ -30,6 +30,20 @@ struct Probe {
   bool is_boundary = false;  ///< of the solid
   bool is_outward = true;    ///< the literal's normal leads out of the solid
   int owner = -1;            ///< first of the literals whose surfaces coincide here
+};
+
+/// Where an edge crosses a side of a cell.
+struct Crossing {
+  Vec2 uv = Vec2::Zero();
+  bool goes_on = false;  ///< the surface does, as another literal's
+};
+
+/// The visible part of a cell.
+struct CellCut {
+  std::vector<Vec2> polygon;
+  std::vector<Crossing> crossings;  ///< two for each edge
+  Vec2 beyond = Vec2::Zero();       ///< a corner behind an edge
+  bool is_outward = true;
 };
 
 /// Cuts one patch.
@@ -61,46 +75,67 @@ class PatchCutter {
     const double reach = radius(cell) + beside();
     const Vec3 middle = at(cell.middle()).position;
     std::vector<int> still_open;
-    bool are_same = true;
+    std::vector<int> coincident;
     for (const int l : open) {
       const double d = distance(l, middle, reach);
       if (std::abs(d) > reach) {
         inside_.set(l, known(d < 0));
-      } else {
-        inside_.set(l, Known::Open);
-        still_open.push_back(l);
-        are_same = are_same && std::abs(d) < same();
+        continue;
       }
+      inside_.set(l, Known::Open);
+      still_open.push_back(l);
+      if (std::abs(d) < same() && runs_along(cell, l)) coincident.push_back(l);
     }
     inside_.set(patch_.literal, Known::Open);
     const std::size_t before = inside_.settle();
-    if (inside_.answer() == Known::Open) resolve(cell, still_open, are_same);
+    if (inside_.answer() == Known::Open) resolve(cell, still_open, coincident);
     inside_.forget(before);
   }
 
   /// Where the solid may depend on the patch's literal.
-  void resolve(const Cell& cell, const std::vector<int>& open, bool are_same) {
-    const Known behind = beside_patch(Known::Yes);
-    const Known ahead = beside_patch(Known::No);
+  void resolve(const Cell& cell, const std::vector<int>& open, const std::vector<int>& coincident) {
+    const PatchPoint middle = at(cell.middle());
+    const Known behind = beside_patch(middle, coincident, -beside());
+    std::vector<Known> before;
+    for (const int l : coincident) before.push_back(inside_.of(l));
+    const Known ahead = beside_patch(middle, coincident, beside());
+    std::vector<int> flush;
+    for (std::size_t i = 0; i < coincident.size(); ++i) {
+      if (before[i] == inside_.of(coincident[i])) continue;
+      if (coincident[i] < patch_.literal) return;  // the face is that literal's
+      flush.push_back(coincident[i]);
+    }
     if (behind != Known::Open && ahead != Known::Open) {
-      if (behind != ahead) emit_whole(cell, behind == Known::Yes);
+      if (behind == ahead) return;
+      if (patch_.is_flat)
+        std::for_each(flush.begin(), flush.end(), [this](int l) { note_flush(l); });
+      emit_whole(cell, behind == Known::Yes);
       return;
     }
     forget_answers(open.size());
-    if (are_same && coincide(cell, open)) {
-      const Probe p = probe(cell.middle(), open);
-      if (is_mine(p)) emit_whole(cell, p.is_outward);
+    const bool is_within_facet = !has_columns(cell) && !has_rows(cell);
+    if (is_within_facet && radius(cell) < model_.finest) {
+      emit_cut(cut_cell(cell, open));
       return;
     }
-    if (has_columns(cell) || has_rows(cell) || radius(cell) >= kFinest * model_.diagonal) {
-      visit_halves(cell, open);
-    } else {
-      emit_cut(cell, open);
+    if (is_within_facet && radius(cell) < kCoarsest * model_.diagonal && is_one_convex(open)) {
+      const CellCut cut = cut_cell(cell, open);
+      if (is_straight(cut, open)) {
+        emit_cut(cut);
+        return;
+      }
     }
+    visit_halves(cell, open);
+  }
+
+  bool is_one_convex(const std::vector<int>& open) const {
+    if (open.size() != 1) return false;
+    const SolidKind kind = model_.tree.literals[static_cast<std::size_t>(open.front())].kind;
+    return kind != SolidKind::Torus && kind != SolidKind::Polyhedron;
   }
 
   void visit_halves(const Cell& cell, const std::vector<int>& open) {
-    const bool is_small = radius(cell) < kFinest * model_.diagonal;
+    const bool is_small = radius(cell) < model_.finest;
     if (is_small ? has_columns(cell) : u_length(cell) > v_length(cell)) {
       visit({cell.u0, cell.middle().x(), cell.v0, cell.v1}, open);
       visit({cell.middle().x(), cell.u1, cell.v0, cell.v1}, open);
@@ -113,22 +148,29 @@ class PatchCutter {
   double u_length(const Cell& cell) const { return patch_.u_length * (cell.u1 - cell.u0); }
   double v_length(const Cell& cell) const { return patch_.v_length * (cell.v1 - cell.v0); }
   /// No point of the cell is further from its middle.
-  double radius(const Cell& cell) const { return (u_length(cell) + v_length(cell)) / 2; }
+  double radius(const Cell& cell) const {
+    const double u = u_length(cell);
+    const double v = v_length(cell);
+    return (patch_.is_orthogonal ? std::hypot(u, v) : u + v) / 2;
+  }
   bool has_columns(const Cell& cell) const { return (cell.u1 - cell.u0) * patch_.u_facets > 1; }
   bool has_rows(const Cell& cell) const { return (cell.v1 - cell.v0) * patch_.v_facets > 1; }
 
-  /// What lies on the patch's inner (`Known::Yes`) or outer side.
-  Known beside_patch(Known side) {
-    inside_.set(patch_.literal, side);
+  /// What lies at an offset from the patch, whatever the open literals hold but the coincident
+  /// ones.
+  Known beside_patch(const PatchPoint& on, const std::vector<int>& coincident, double offset) {
+    for (const int l : coincident) {
+      inside_.set(l, known(distance(l, on.position + offset * on.normal, 0) < 0));
+    }
+    inside_.set(patch_.literal, known(offset < 0));
     return inside_.answer();
   }
 
-  /// Whether the literals' surfaces run through all corners of the cell.
-  bool coincide(const Cell& cell, const std::vector<int>& literals) const {
+  /// Whether the literal's surface runs through all corners of the cell.
+  bool runs_along(const Cell& cell, int literal) const {
     for (int k = 0; k < 4; ++k) {
       const Vec3 p = at(cell.corner(k)).position;
-      const auto is_on = [&](int l) { return std::abs(distance(l, p, same())) < same(); };
-      if (!std::all_of(literals.begin(), literals.end(), is_on)) return false;
+      if (std::abs(distance(literal, p, same())) >= same()) return false;
     }
     return true;
   }
@@ -201,44 +243,68 @@ class PatchCutter {
     return std::max(1, static_cast<int>(std::lround(share * facets)));
   }
 
-  void emit_cut(const Cell& cell, const std::vector<int>& open) {
+  /// The visible part of a cell that no edge enters twice.
+  CellCut cut_cell(const Cell& cell, const std::vector<int>& open) {
+    CellCut out;
     std::array<Probe, 4> corners;
-    int mine = 0;
-    bool is_outward = true;
     for (int k = 0; k < 4; ++k) {
       corners[k] = probe(cell.near_corner(k), open);
-      if (!is_mine(corners[k])) continue;
-      ++mine;
-      is_outward = corners[k].is_outward;
+      if (is_mine(corners[k])) out.is_outward = corners[k].is_outward;
     }
-    if (mine == 0) return;
-    std::vector<Vec2> polygon;
     for (int k = 0; k < 4; ++k) {
       const int next = (k + 1) % 4;
-      if (is_mine(corners[k])) polygon.push_back(cell.corner(k));
-      if (is_mine(corners[k]) == is_mine(corners[next])) continue;
-      polygon.push_back(is_mine(corners[k])
-                            ? crossing(cell.near_corner(k), cell.near_corner(next), open)
-                            : crossing(cell.near_corner(next), cell.near_corner(k), open));
+      const bool is_in = is_mine(corners[k]);
+      if (is_in) out.polygon.push_back(cell.corner(k));
+      if (is_in == is_mine(corners[next])) continue;
+      const int from = is_in ? k : next;
+      const int to = is_in ? next : k;
+      out.polygon.push_back(crossing(cell.near_corner(from), cell.near_corner(to), open));
       // What lies beyond is no edge where the same face goes on as another literal's.
-      const Probe& beyond = corners[is_mine(corners[k]) ? next : k];
-      crossings_.push_back({polygon.back(), beyond.is_boundary});
+      out.crossings.push_back({out.polygon.back(), corners[to].is_boundary});
+      out.beyond = cell.corner(to);
     }
-    for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) {
-      if (crossings_[i].goes_on && crossings_[i + 1].goes_on) continue;
-      add_line(crossings_[i].uv, crossings_[i + 1].uv);
-    }
-    crossings_.clear();
-    emit_polygon(polygon, is_outward);
+    return out;
   }
 
   /// Between a point of the visible part and one beyond.
   Vec2 crossing(Vec2 mine, Vec2 other, const std::vector<int>& open) {
-    for (int i = 0; i < kBisections; ++i) {
+    const double length =
+        std::hypot(patch_.u_length * (mine - other).x(), patch_.v_length * (mine - other).y());
+    const int halvings =
+        static_cast<int>(std::ceil(std::log2(length / (kEdge * model_.diagonal) + 1)));
+    for (int i = 0; i < halvings; ++i) {
       const Vec2 middle = (mine + other) / 2;
       (is_mine(probe(middle, open)) ? mine : other) = middle;
     }
     return mine;
+  }
+
+  /// Whether one straight edge divides the cell. Requires: one convex literal makes the edge.
+  bool is_straight(const CellCut& cut, const std::vector<int>& open) {
+    if (cut.crossings.size() != 2) return false;
+    const Vec2 from = cut.crossings[0].uv;
+    const Vec2 along = cut.crossings[1].uv - from;
+    // Across, in lengths of the model; the patch's axes are taken to be at right angles.
+    const Vec2 scale(patch_.u_length, patch_.v_length);
+    Vec2 across = Vec2(-along.y() * scale.y(), along.x() * scale.x());
+    if (across.norm() <= 0) return false;
+    across = across.normalized() * (kStraight * model_.diagonal);
+    across = across.cwiseQuotient(scale);
+    if (across.dot(cut.beyond - from) < 0) across = -across;
+    for (const double t : {0.25, 0.5, 0.75}) {
+      const Vec2 on = from + t * along;
+      if (!is_mine(probe(on - across, open)) || is_mine(probe(on + across, open))) return false;
+    }
+    return true;
+  }
+
+  void emit_cut(const CellCut& cut) {
+    if (cut.polygon.empty()) return;
+    for (std::size_t i = 0; i + 1 < cut.crossings.size(); i += 2) {
+      if (cut.crossings[i].goes_on && cut.crossings[i + 1].goes_on) continue;
+      add_line(cut.crossings[i].uv, cut.crossings[i + 1].uv);
+    }
+    emit_polygon(cut.polygon, cut.is_outward);
   }
 
   void emit_polygon(const std::vector<Vec2>& polygon, bool is_outward) {
@@ -320,11 +386,6 @@ class PatchCutter {
     out_.lines.push_back({shown_at(from, middle), shown_at(to, middle), 0});
   }
 
-  struct Crossing {
-    Vec2 uv;
-    bool goes_on;
-  };
-
   const BoundaryModel& model_;
   const BoundaryPatch& patch_;
   const Literal& literal_;
@@ -333,7 +394,6 @@ class PatchCutter {
   std::vector<Known> remembered_;  ///< answers in the cell, by the bits of its open literals
   std::vector<int> tied_;
   std::vector<Known> behind_;
-  std::vector<Crossing> crossings_;
 };
 
 }  // namespace

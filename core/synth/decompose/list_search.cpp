@@ -57,8 +57,10 @@ std::optional<FoundList> ListSearch::construct(const Progress& progress) {
     o.noise = i < 2 ? 0.15 : 0.4;
     std::optional<DecisionList> list = construct_list(space, o, grower, rng, run_);
     if (list) {
+      tell(*list, clip);
       grown[i] = improve_list(space, walk_options(*list, options_.first_share), *list, rng, run_)
                      .terms_grown;
+      tell(*list, clip);
       found[i] = FoundList{std::move(*list), clip};
     }
     grown[i] += grower.terms_grown();
@@ -79,6 +81,17 @@ std::optional<FoundList> ListSearch::construct(const Progress& progress) {
   }
   keep_cheapest(lists, 1);
   return std::move(lists.front());
+}
+
+void ListSearch::tell(const DecisionList& list, bool clip) {
+  if (!on_found_) return;
+  const FoundList found{list, clip};
+  {
+    const std::lock_guard lock(mutex_);
+    if (found.cost() >= cheapest_told_) return;
+    cheapest_told_ = found.cost();
+  }
+  on_found_(found);  // others go on meanwhile
 }
 
 /// Walks from every list, in parallel.

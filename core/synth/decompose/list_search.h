@@ -4,7 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
+#include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/run_context.h"
@@ -35,12 +38,17 @@ struct ListSearchOptions {
 class ListSearch {
  public:
   using Progress = std::function<void(double share)>;
+  using Found = std::function<void(const FoundList& list)>;
 
   /// `spaces`: everywhere; inside the frame's box only. The references must outlive it. `stream`
   /// selects the random numbers; a thousand following ones are used.
   ListSearch(const std::array<SearchSpace, 2>& spaces, const ListSearchOptions& options,
              std::uint64_t stream, const RunContext& run)
       : spaces_(spaces), options_(options), stream_(stream), run_(run) {}
+
+  /// Lets `sink` know of every list that is cheaper than those before it, while `construct` runs;
+  /// from its threads, also at the same time.
+  void on_found(Found sink) { on_found_ = std::move(sink); }
 
   /// The cheapest list found; nullopt when no construction succeeds or the run is cancelled.
   std::optional<FoundList> construct(const Progress& progress);
@@ -53,6 +61,7 @@ class ListSearch {
  private:
   double effort() const;
   NeighbourhoodOptions walk_options(const DecisionList& list, int share) const;
+  void tell(const DecisionList& list, bool clip);
   void refine(int task, int share, std::vector<FoundList>& lists);
 
   const std::array<SearchSpace, 2>& spaces_;
@@ -60,6 +69,9 @@ class ListSearch {
   std::uint64_t stream_;
   const RunContext& run_;
   long terms_grown_ = 0;
+  Found on_found_;
+  std::mutex mutex_;
+  int cheapest_told_ = std::numeric_limits<int>::max();
 };
 
 }  // namespace hewn

@@ -1,3 +1,6 @@
+#include <chrono>
+#include <thread>
+
 #include <doctest/doctest.h>
 
 #include "core/base/file.h"
@@ -12,6 +15,7 @@ namespace {
 using testing::hole;
 using testing::one_thread;
 using testing::OpenSession;
+using testing::SessionFolder;
 
 TEST_CASE("a hole as a subtracted partition becomes a plate minus a cylinder") {
   OpenSession open;
@@ -329,6 +333,30 @@ TEST_CASE("what is drawn of a result measures the input against it") {
   CHECK_FALSE(view->surface.corners.empty());
   CHECK(view->surface.labels == 2);
   CHECK(view->max_deviation < 1e-3);  // all vertices lie on the true surfaces
+}
+
+TEST_CASE("a first answer is shown while the search goes on, and never kept") {
+  const SessionFolder folder("draft");
+  // The worker pauses whenever it has news, so that each is seen.
+  Session session(one_thread(), [] { std::this_thread::sleep_for(std::chrono::milliseconds(2)); });
+  REQUIRE(session.execute(OpenFile{folder.plate()}));
+  session.wait();
+  REQUIRE(session.execute(Reconstruct{}));
+  bool has_seen_draft = false;
+  while (session.is_busy()) {
+    session.poll();
+    if (!session.shows_draft()) continue;
+    has_seen_draft = true;
+    CHECK(session.shown_result());
+    CHECK(session.result_view());
+    CHECK_FALSE(session.current_result());
+    CHECK(session.results().empty());
+  }
+  CHECK(has_seen_draft);
+  CHECK_FALSE(session.shows_draft());
+  CHECK(session.results().size() == 1);
+  CHECK(session.shown_result() == session.current_result());
+  CHECK(session.result_view());
 }
 
 TEST_CASE("an unsaved plan is copied once a minute and the copy goes with the session") {
