@@ -181,6 +181,7 @@ std::string Studio::status_line() const {
                         {"has_view", session.result_view() != nullptr},
                         {"has_plane", state_.knife.plane.has_value()},
                         {"has_file_panel", state_.file.kind != FileRequest::Kind::None},
+                        {"file_name", state_.file.name},
                         {"hovered_literal", state_.hovered_literal},
                         {"hovered_result", state_.hovered_result},
                         {"active_field", state_.active_field},

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -34,11 +35,16 @@ using ProgressSink = std::function<void(const char* stage, double share)>;
 /// A flag that one thread sets and many read. Lock-free, so that a signal handler may set it.
 class CancelToken {
  public:
+  /// `whole`: what this is a part of, and is cancelled with.
+  explicit CancelToken(std::shared_ptr<const CancelToken> whole = {}) : whole_(std::move(whole)) {}
   void cancel() { flag_.store(true, std::memory_order_relaxed); }
-  bool is_cancelled() const { return flag_.load(std::memory_order_relaxed); }
+  bool is_cancelled() const {
+    return flag_.load(std::memory_order_relaxed) || (whole_ && whole_->is_cancelled());
+  }
 
  private:
   std::atomic<bool> flag_{false};
+  std::shared_ptr<const CancelToken> whole_;
 };
 
 /// Passed by reference through every stage. Copyable; copies share the cancel token.

@@ -1,8 +1,12 @@
 #pragma once
 /// How far each partition of a search has got, written by the job, read by its owner.
+#include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
+
+#include "core/base/run_context.h"
 
 namespace hewn {
 
@@ -29,12 +33,19 @@ class PartBoard {
   void update(const PartProgress& progress);
   /// The job was stopped: parts that have not ended are marked so.
   void stop();
+  /// Stops the search of one part alone, also when it has not begun.
+  void stop(const std::string& name);
+  /// What stops the part: to be called by the job before it begins with it. `whole`: what stops the
+  /// job.
+  std::shared_ptr<CancelToken> token_for(const std::string& name,
+                                         const std::shared_ptr<CancelToken>& whole);
   /// In the order in which they came first.
   std::vector<PartProgress> parts() const;
 
  private:
   mutable std::mutex mutex_;
   std::vector<PartProgress> parts_;
+  std::map<std::string, std::shared_ptr<CancelToken>> tokens_;  ///< of parts that have begun
 };
 
 }  // namespace hewn

@@ -35,7 +35,7 @@ Result<Reconstruction> find(const PlanSearch& search, const RunContext& run) {
   SegmentedMesh segmented;
   segmented.report = search.document.source->report;
   segmented.prepared = *search.document.prepared;
-  SearchWatch watch{search.board, {}};
+  SearchWatch watch{search.board, {}, search.found.get()};
   const auto start = std::chrono::steady_clock::now();
   if (search.on_draft) {
     watch.on_draft = [&](Reconstruction draft) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/session/document.h"
+#include "core/session/found_partitions.h"
 #include "core/session/part_board.h"
 #include "core/session/result_view.h"
 
@@ -33,6 +34,7 @@ struct PlanSearch {
   std::string source;
   bool draws = false;  ///< whether a view is wanted
   PartBoard* board = nullptr;
+  std::shared_ptr<FoundPartitions> found = {};  ///< null: search all partitions
   /// Gets results on the way, drawn, from the search's threads. May be empty.
   std::function<void(const DrawnResult& draft)> on_draft = {};
 };

@@ -13,6 +13,7 @@
 #include "core/csg/protrude.h"
 #include "core/segment/segment.h"
 #include "core/session/draft_board.h"
+#include "core/session/found_partitions.h"
 #include "core/session/free_form.h"
 #include "core/session/join_partitions.h"
 #include "core/session/part_report.h"
@@ -261,7 +262,9 @@ class Reconstructor {
       DraftSink on_draft;
       if (watch_.on_draft) on_draft = [&, p](const auto& make) { drafts.update(p, make); };
       reports[i].begin();
-      answers[i] = search_one(partitions[p], on_draft, progress.context_for(i, reports[i]));
+      RunContext own = progress.context_for(i, reports[i]);
+      if (watch_.board) own.cancel = watch_.board->token_for(partitions[p].name, run_.cancel);
+      answers[i] = find_one(partitions[p], on_draft, own);
       reports[i].end(*answers[i]);
       if (on_draft && *answers[i]) on_draft([&] { return (*answers[i])->answer.tree; });
     });
@@ -297,16 +300,36 @@ class Reconstructor {
     watch_.on_draft(std::move(draft));
   }
 
+  /// From the memory, or by a search.
+  Result<PartitionResult> find_one(const Partition& partition, const DraftSink& on_draft,
+                                   const RunContext& run) const {
+    if (!watch_.found) return described(partition, search_one(partition, on_draft, run));
+    const std::string key = partition_key(project_, partition);
+    if (const auto known = watch_.found->find(key)) return described(partition, *known);
+    auto result = search_one(partition, on_draft, run);
+    if (result) watch_.found->keep(key, *result);
+    return described(partition, std::move(result));
+  }
+
+  /// With what is the partition's own, however its tree was found.
+  Result<PartitionResult> described(const Partition& partition,
+                                    Result<PartitionResult> result) const {
+    if (!result) return result;
+    result->name = partition.name;
+    result->op = name_of(partition.op);
+    result->groups = static_cast<int>(partition.groups.size());
+    result->area_share = 0;
+    for (const int g : partition.groups) {
+      result->area_share += out_.prepared.segmentation.groups[g].area;
+    }
+    result->area_share /= out_.prepared.mesh->total_area;
+    return result;
+  }
+
   Result<PartitionResult> search_one(const Partition& partition, const DraftSink& on_draft,
                                      const RunContext& run) const {
     const Segmentation& segmentation = out_.prepared.segmentation;
     PartitionResult result;
-    result.name = partition.name;
-    result.op = name_of(partition.op);
-    result.groups = static_cast<int>(partition.groups.size());
-    for (const int g : partition.groups) result.area_share += segmentation.groups[g].area;
-    result.area_share /= out_.prepared.mesh->total_area;
-
     const SurfaceSet surfaces = with_cut_planes(out_.surfaces, project_, partition);
     const bool is_whole = partition.groups.size() == segmentation.groups.size();
     const bool can_keep = is_whole && !partition.is_subtracted && out_.mesh_report.is_closed;

@@ -16,6 +16,7 @@
 
 namespace hewn {
 
+class FoundPartitions;
 class PartBoard;
 
 struct Reconstruction;
@@ -29,7 +30,9 @@ struct SearchWatch {
   PartBoard* board = nullptr;  ///< told how far each partition is; null: nobody
   /// Gets better and better results on the way, measured like the last one; from any of the
   /// search's threads, one at a time. Which ones depends on the clock. May be empty.
-  std::function<void(Reconstruction draft)> on_draft;
+  std::function<void(Reconstruction draft)> on_draft = {};
+  /// Asked for partitions before they are searched, and given those that were; null: search all.
+  FoundPartitions* found = nullptr;
 };
 
 /// What became of one partition that has groups of its own.

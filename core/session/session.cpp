@@ -159,6 +159,11 @@ void Session::cancel_jobs() {
   drop_edit();
 }
 
+void Session::stop_partition(const std::string& name) {
+  ++revision_;
+  if (board_) board_->stop(name);
+}
+
 std::vector<JobStatus> Session::jobs() const {
   auto all = edits_.status();
   const auto others = jobs_.status();
@@ -273,6 +278,7 @@ void Session::adopt_source(const Project& project, Result<Document> read) {
   for (const std::string& warning : read->source->report.warnings) {
     notify(Severity::Info, warning);
   }
+  found_ = std::make_shared<FoundPartitions>();
   if (plan_text(project) != plan()) {  // other cuts or partitions than when the reading began
     read = with_source(document(), read->source, RunContext{});
     if (!read) {
@@ -297,7 +303,8 @@ int Session::add_search(const Project& project, const std::string& source) {
       if (!view.partition.groups.empty()) board->update({.name = view.partition.name});
     }
   }
-  PlanSearch search{document, base, source, wants_views_ && source == "plan", board.get(), {}};
+  PlanSearch search{document,    base,   source, wants_views_ && source == "plan",
+                    board.get(), found_, {}};
   if (search.draws) {
     search.on_draft = [this](const DrawnResult& draft) {
       jobs_.post([this, draft] { adopt_draft(draft); });
@@ -414,7 +421,11 @@ Result<void> Session::export_tree(const ExportTree& command) {
             [this, command, ready, base = unedited_result(),
              document = document()](const RunContext& run) -> JobCompletion {
               auto result =
-                  ready ? DrawnResult{ready, nullptr} : search_plan({document, base, "plan"}, run);
+                  ready
+                      ? DrawnResult{ready, nullptr}
+                      : search_plan(
+                            {.document = document, .base = base, .source = "plan", .found = found_},
+                            run);
               Result<void> done;
               if (!result) {
                 done = result.error();

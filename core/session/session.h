@@ -12,6 +12,7 @@
 
 #include "core/session/command.h"
 #include "core/session/display_mesh.h"
+#include "core/session/found_partitions.h"
 #include "core/session/history.h"
 #include "core/session/job_queue.h"
 #include "core/session/part_board.h"
@@ -51,6 +52,9 @@ class Session {
   /// Polls until all jobs are done. For runs without a window.
   void wait();
   void cancel_jobs();
+  /// Stops the search of one partition. The others go on, and what they find is there when the plan
+  /// is searched again.
+  void stop_partition(const std::string& name);
   /// Whether results are prepared for drawing; on unless told otherwise.
   void set_views(bool wants_views) { wants_views_ = wants_views; }
   std::vector<JobStatus> jobs() const;
@@ -148,6 +152,7 @@ class Session {
   bool wants_views_ = true;
   std::string failure_;
   int search_job_ = 0;
+  std::shared_ptr<FoundPartitions> found_ = std::make_shared<FoundPartitions>();  ///< in this mesh
   std::shared_ptr<PartBoard> board_;  ///< of the last search for a plan
   std::string board_plan_;
   std::string searched_plan_;

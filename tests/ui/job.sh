@@ -103,8 +103,7 @@ until_true "the edited tree again" is is_current true
 
 key ctrl+e
 until_true "the file panel" is has_file_panel true
-key ctrl+a
-xdotool type --delay 60 "tree.scad"
+write_over file_name "tree.scad"
 key Return
 until_true "the design" test -s "$folder/tree.scad"
 picture 7-exported

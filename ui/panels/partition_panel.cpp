@@ -69,8 +69,12 @@ void draw_reach(Ui& ui, const PartitionView& view) {
   });
 }
 
-void draw_row_menu(Ui& ui, const PartitionView& view) {
+void draw_row_menu(Ui& ui, const PartitionView& view, const PartProgress* progress) {
   if (!ImGui::BeginPopupContextItem("row")) return;
+  if (progress && !progress->has_ended()) {
+    if (ImGui::MenuItem("Stop its search")) ui.session.stop_partition(view.partition.name);
+    ImGui::Separator();
+  }
   if (ImGui::MenuItem("Select its groups")) {
     select_groups(ui, view.partition.groups, Combine::Replace);
   }
@@ -149,7 +153,7 @@ std::string progress_details(const PartProgress& p) {
     case PartProgress::State::Waiting:
       return "Waits for its turn.";
     case PartProgress::State::Running:
-      return fmt::format("Searching: {}.", p.stage);
+      return fmt::format("Searching: {}. Right click to stop it alone.", p.stage);
     case PartProgress::State::Done:
       return fmt::format("{} literals, size {}; {} % of fresh points are wrong{}.", p.literals,
                          p.size, short_number(100 * p.error),
@@ -248,12 +252,12 @@ void draw_partition(Ui& ui, const std::vector<PartitionView>& views, std::size_t
     const ImVec2 lo = ImGui::GetItemRectMin();
     const ImVec2 hi = ImGui::GetItemRectMax();
     if (is_hot) ui.state.hovered_groups = view.partition.groups;
-    draw_row_menu(ui, view);
+    const PartProgress* progress = progress_of(all, view.partition.name);
+    draw_row_menu(ui, view, progress);
     draw_drag(ui, views, row);
     ImGui::SameLine(indent + ui.px(12));
     draw_sign(ui, view, row);
     ImGui::SameLine(indent + ui.px(28));
-    const PartProgress* progress = progress_of(all, view.partition.name);
     const std::string right = fmt::format("{}{}{:>4}", progress ? progress_text(*progress) : "",
                                           progress ? "   " : "", view.partition.groups.size());
     const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(right.c_str()).x;
