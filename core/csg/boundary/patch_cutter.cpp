@@ -32,6 +32,14 @@ struct Probe {
   int owner = -1;            ///< first of the literals whose surfaces coincide here
 };
 
+/// What lies on both sides of a cell, as far as it is known.
+struct Sides {
+  Known behind = Known::Open;  ///< on the literal's inner side
+  Known ahead = Known::Open;
+  std::vector<int> flush;    ///< other literals with a face along the cell
+  bool is_anothers = false;  ///< the first of them shows the face
+};
+
 /// Where an edge crosses a side of a cell.
 struct Crossing {
   Vec2 uv = Vec2::Zero();
@@ -94,22 +102,14 @@ class PatchCutter {
 
   /// Where the solid may depend on the patch's literal.
   void resolve(const Cell& cell, const std::vector<int>& open, const std::vector<int>& coincident) {
-    const PatchPoint middle = at(cell.middle());
-    const Known behind = beside_patch(middle, coincident, -beside());
-    std::vector<Known> before;
-    for (const int l : coincident) before.push_back(inside_.of(l));
-    const Known ahead = beside_patch(middle, coincident, beside());
-    std::vector<int> flush;
-    for (std::size_t i = 0; i < coincident.size(); ++i) {
-      if (before[i] == inside_.of(coincident[i])) continue;
-      if (coincident[i] < patch_.literal) return;  // the face is that literal's
-      flush.push_back(coincident[i]);
-    }
-    if (behind != Known::Open && ahead != Known::Open) {
-      if (behind == ahead) return;
-      if (patch_.is_flat)
-        std::for_each(flush.begin(), flush.end(), [this](int l) { note_flush(l); });
-      emit_whole(cell, behind == Known::Yes);
+    const Sides sides = look_at_sides(at(cell.middle()), coincident);
+    if (sides.is_anothers) return;
+    if (sides.behind != Known::Open && sides.ahead != Known::Open) {
+      if (sides.behind == sides.ahead) return;
+      if (patch_.is_flat) {
+        for (const int l : sides.flush) note_flush(l);
+      }
+      emit_whole(cell, sides.behind == Known::Yes);
       return;
     }
     forget_answers(open.size());
@@ -164,6 +164,21 @@ class PatchCutter {
     }
     inside_.set(patch_.literal, known(offset < 0));
     return inside_.answer();
+  }
+
+  /// On both sides of a point of the patch, along which the coincident literals' surfaces run.
+  Sides look_at_sides(const PatchPoint& on, const std::vector<int>& coincident) {
+    Sides out;
+    out.behind = beside_patch(on, coincident, -beside());
+    behind_.clear();
+    for (const int l : coincident) behind_.push_back(inside_.of(l));
+    out.ahead = beside_patch(on, coincident, beside());
+    for (std::size_t i = 0; i < coincident.size(); ++i) {
+      if (behind_[i] == inside_.of(coincident[i])) continue;
+      out.flush.push_back(coincident[i]);
+      out.is_anothers |= coincident[i] < patch_.literal;
+    }
+    return out;
   }
 
   /// Whether the literal's surface runs through all corners of the cell.
