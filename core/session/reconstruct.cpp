@@ -1,6 +1,7 @@
 #include "core/session/reconstruct.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <mutex>
 #include <optional>
@@ -241,22 +242,27 @@ class Reconstructor {
     return {};
   }
 
+  using Answers = std::vector<std::optional<Result<PartitionResult>>>;
+
   /// Finds the tree of every partition that has groups, side by side.
   Result<std::vector<std::optional<Tree>>> search(const std::vector<Partition>& partitions) {
     std::vector<std::size_t> work;
     std::vector<bool> searched;
+    std::vector<PartReport> reports;
+    reports.reserve(partitions.size());
     for (std::size_t p = 0; p < partitions.size(); ++p) {
       searched.push_back(!partitions[p].groups.empty());
-      if (searched.back()) work.push_back(p);
+      if (!searched.back()) continue;
+      work.push_back(p);
+      reports.emplace_back(watch_.board, partitions[p].name);
     }
     if (work.empty()) {
       return Error{ErrorCode::InvalidArgument, "no partition has a face group: nothing to do"};
     }
     DraftBoard drafts(searched, [&](const auto& trees) { show_draft(partitions, trees); });
-    std::vector<std::optional<Result<PartitionResult>>> answers(work.size());
-    std::vector<PartReport> reports;
-    for (const std::size_t p : work) reports.emplace_back(watch_.board, partitions[p].name);
     SharedProgress progress(run_, work.size());
+    Answers answers(partitions.size());
+    std::atomic<std::size_t> ended{0};
     for_each_index(run_.threads, work.size(), [&](std::size_t i) {
       const std::size_t p = work[i];
       DraftSink on_draft;
@@ -264,13 +270,20 @@ class Reconstructor {
       reports[i].begin();
       RunContext own = progress.context_for(i, reports[i]);
       if (watch_.board) own.cancel = watch_.board->token_for(partitions[p].name, run_.cancel);
-      answers[i] = find_one(partitions[p], on_draft, own);
-      reports[i].end(*answers[i]);
-      if (on_draft && *answers[i]) on_draft([&] { return (*answers[i])->answer.tree; });
+      answers[p] = find_one(partitions[p], on_draft, own);
+      reports[i].end(*answers[p]);
+      const bool is_last = ++ended == work.size();
+      if (on_draft && *answers[p] && !is_last) on_draft([&] { return (*answers[p])->answer.tree; });
     });
-    std::vector<std::optional<Tree>> trees(partitions.size());
-    for (std::size_t i = 0; i < work.size(); ++i) {
-      auto& answer = *answers[i];
+    return collect(std::move(answers));
+  }
+
+  /// The partitions' trees; the rest of their answers goes to the result.
+  Result<std::vector<std::optional<Tree>>> collect(Answers answers) {
+    std::vector<std::optional<Tree>> trees(answers.size());
+    for (std::size_t p = 0; p < answers.size(); ++p) {
+      if (!answers[p]) continue;
+      auto& answer = *answers[p];
       if (!answer) return answer.error();
       if (answer->is_polyhedron) {
         run_.warn(
@@ -280,7 +293,7 @@ class Reconstructor {
         run_.warn(fmt::format("{:.2g} % of the surface is free-form: kept as a polyhedron",
                               100 * answer->free_form_share));
       }
-      trees[work[i]] = answer->answer.tree;
+      trees[p] = answer->answer.tree;
       out_.partitions.push_back(std::move(*answer));
     }
     return trees;
