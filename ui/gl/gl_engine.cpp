@@ -1,6 +1,7 @@
 #include "ui/gl/gl_engine.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -77,6 +78,9 @@ Result<GlEngine> GlEngine::create() {
     *p.program = std::move(*linked);
   }
   out.is_software_ = is_software_renderer();
+  std::array<GLfloat, 2> widths{1, 1};
+  glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, widths.data());
+  out.widest_line_ = widths[1];
   out.empty_array_ = make_vertex_array();
   out.sheet_array_ = make_vertex_array();
   out.sheet_buffer_ = make_buffer();
@@ -167,7 +171,9 @@ void GlEngine::draw_lines(const Scene& scene, const SceneItem& item, bool is_exa
   // Chords lie inside the round faces that they border on, by up to the tessellation's deflection.
   Uniforms(lines_).set("nearer", is_exact ? 1e-3F * part.diagonal() : 0.0F);
   part.bind_states();
+  glLineWidth(std::min(scene.line_width, widest_line_));
   part.draw_lines();
+  glLineWidth(1);
 }
 
 void GlEngine::draw_wires(const Scene& scene, const SceneItem& item) const {

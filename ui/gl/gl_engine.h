@@ -50,6 +50,7 @@ class GlEngine : public RenderEngine {
   int width_ = 0, height_ = 0, samples_ = 0;
   int id_width_ = 0, id_height_ = 0;
   bool is_software_ = false;
+  float widest_line_ = 1;  ///< that the driver draws, pixels
 };
 
 }  // namespace hewn

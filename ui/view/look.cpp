@@ -111,6 +111,7 @@ void set_colours(const Ui& ui, Scene& scene) {
   scene.line =
       theme.is_light ? glm::vec4(0.11F, 0.13F, 0.16F, 0.85F) : glm::vec4(0.04F, 0.05F, 0.06F, 0.9F);
   scene.selected_line = glm::vec4(rgb(theme.accent), 1);
+  scene.line_width = std::max(1.0F, ui.px(1) * ImGui::GetIO().DisplayFramebufferScale.x);
 }
 
 }  // namespace

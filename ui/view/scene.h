@@ -61,6 +61,7 @@ struct Scene {
   glm::vec3 top{0}, bottom{0};          ///< backdrop, sRGB
   glm::vec3 accent{0}, cut_face{0};     ///< linear
   glm::vec4 line{0}, selected_line{1};  ///< sRGB
+  float line_width = 1;                 ///< framebuffer pixels
   bool operator==(const Scene&) const = default;
 };
 
