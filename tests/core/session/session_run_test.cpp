@@ -291,11 +291,15 @@ TEST_CASE("a replayed log writes the same files and ends at the same plan") {
 }
 
 TEST_CASE("a bad line of a log is named by its number") {
-  const auto unknown = replay_log("\n{\"command\": \"fly\"}\n", "log", one_thread());
+  const auto unknown = replay_log(
+      "\n"
+      R"({"command": "fly"})"
+      "\n",
+      "log", one_thread());
   REQUIRE_FALSE(unknown);
   CHECK(unknown.error().where == "log:2");
   CHECK(unknown.error().message.find("fly") != std::string::npos);
-  const auto missing = replay_log("{\"command\": \"delete-cut\"}", "log", one_thread());
+  const auto missing = replay_log(R"({"command": "delete-cut"})", "log", one_thread());
   REQUIRE_FALSE(missing);
   CHECK(missing.error().code == ErrorCode::Format);
 }
