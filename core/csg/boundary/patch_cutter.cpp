@@ -29,7 +29,7 @@ struct Cell {
 struct Probe {
   bool is_boundary = false;  ///< of the solid
   bool is_outward = true;    ///< the literal's normal leads out of the solid
-  int owner = -1;            ///< first of the literals whose surfaces coincide here
+  bool is_anothers = false;  ///< another literal whose surface coincides here shows the face
 };
 
 /// What lies on both sides of a cell, as far as it is known.
@@ -102,13 +102,12 @@ class PatchCutter {
 
   /// Where the solid may depend on the patch's literal.
   void resolve(const Cell& cell, const std::vector<int>& open, const std::vector<int>& coincident) {
-    const Sides sides = look_at_sides(at(cell.middle()), coincident);
+    const Sides sides =
+        look_at_sides(at(cell.middle()), coincident, [this] { return inside_.answer(); });
     if (sides.is_anothers) return;
     if (sides.behind != Known::Open && sides.ahead != Known::Open) {
       if (sides.behind == sides.ahead) return;
-      if (patch_.is_flat) {
-        for (const int l : sides.flush) note_flush(l);
-      }
+      note_flush(sides.flush);
       emit_whole(cell, sides.behind == Known::Yes);
       return;
     }
@@ -156,23 +155,23 @@ class PatchCutter {
   bool has_columns(const Cell& cell) const { return (cell.u1 - cell.u0) * patch_.u_facets > 1; }
   bool has_rows(const Cell& cell) const { return (cell.v1 - cell.v0) * patch_.v_facets > 1; }
 
-  /// What lies at an offset from the patch, whatever the open literals hold but the coincident
-  /// ones.
-  Known beside_patch(const PatchPoint& on, const std::vector<int>& coincident, double offset) {
-    for (const int l : coincident) {
-      inside_.set(l, known(distance(l, on.position + offset * on.normal, 0) < 0));
-    }
-    inside_.set(patch_.literal, known(offset < 0));
-    return inside_.answer();
-  }
-
-  /// On both sides of a point of the patch, along which the coincident literals' surfaces run.
-  Sides look_at_sides(const PatchPoint& on, const std::vector<int>& coincident) {
+  /// On both sides of a point of the patch, along which the coincident literals' surfaces run, as
+  /// far as `answer` tells.
+  template <class Answer>
+  Sides look_at_sides(const PatchPoint& on, const std::vector<int>& coincident,
+                      const Answer& answer) {
+    const auto beside_patch = [&](double offset) {
+      for (const int l : coincident) {
+        inside_.set(l, known(distance(l, on.position + offset * on.normal, 0) < 0));
+      }
+      inside_.set(patch_.literal, known(offset < 0));
+      return answer();
+    };
     Sides out;
-    out.behind = beside_patch(on, coincident, -beside());
+    out.behind = beside_patch(-beside());
     behind_.clear();
     for (const int l : coincident) behind_.push_back(inside_.of(l));
-    out.ahead = beside_patch(on, coincident, beside());
+    out.ahead = beside_patch(beside());
     for (std::size_t i = 0; i < coincident.size(); ++i) {
       if (behind_[i] == inside_.of(coincident[i])) continue;
       out.flush.push_back(coincident[i]);
@@ -198,27 +197,12 @@ class PatchCutter {
       inside_.set(l, known(d < 0));
       if (std::abs(d) < same()) tied_.push_back(l);
     }
-    const auto hold_at = [&](double offset) {
-      for (const int l : tied_) {
-        const double d = distance(l, point.position + offset * point.normal, 0);
-        inside_.set(l, known(d < 0));
-      }
-      inside_.set(patch_.literal, known(offset < 0));
-      return answer_for(open) == Known::Yes;
-    };
-    const bool behind = hold_at(-beside());
-    behind_.clear();
-    for (const int l : tied_) behind_.push_back(inside_.of(l));
-    const bool ahead = hold_at(beside());
+    const Sides sides = look_at_sides(point, tied_, [&] { return answer_for(open); });
     Probe out;
-    out.is_boundary = behind != ahead;
-    out.is_outward = behind;
-    out.owner = patch_.literal;
-    for (std::size_t i = 0; i < tied_.size(); ++i) {
-      if (behind_[i] == inside_.of(tied_[i])) continue;
-      if (out.is_boundary && patch_.is_flat) note_flush(tied_[i]);
-      out.owner = std::min(out.owner, tied_[i]);
-    }
+    out.is_boundary = sides.behind != sides.ahead;
+    out.is_outward = sides.behind == Known::Yes;
+    out.is_anothers = sides.is_anothers;
+    if (out.is_boundary) note_flush(sides.flush);
     return out;
   }
 
@@ -237,7 +221,7 @@ class PatchCutter {
     remembered_.assign(open > kMostLiterals ? 0 : std::size_t{2} << open, Known::Open);
   }
 
-  bool is_mine(const Probe& p) const { return p.is_boundary && p.owner == patch_.literal; }
+  bool is_mine(const Probe& p) const { return p.is_boundary && !p.is_anothers; }
 
   void emit_whole(const Cell& cell, bool is_outward) {
     const int columns = facets_across(cell.u1 - cell.u0, patch_.u_facets);
@@ -317,7 +301,9 @@ class PatchCutter {
     if (cut.polygon.empty()) return;
     for (std::size_t i = 0; i + 1 < cut.crossings.size(); i += 2) {
       if (cut.crossings[i].goes_on && cut.crossings[i + 1].goes_on) continue;
-      add_line(cut.crossings[i].uv, cut.crossings[i + 1].uv);
+      const Vec2& from = cut.crossings[i].uv;
+      const Vec2& to = cut.crossings[i + 1].uv;
+      add_line(from, to, (from + to) / 2);
     }
     emit_polygon(cut.polygon, cut.is_outward);
   }
@@ -371,7 +357,7 @@ class PatchCutter {
       on_border[axis] = middle[axis];
       const Vec3 outward = point.position - at(on_border).position;
       if (outward.norm() <= 0 || goes_on(point, outward.normalized())) continue;
-      out_.lines.push_back({shown_at(from, middle), shown_at(to, middle), 0});
+      add_line(from, to, middle);
     }
   }
 
@@ -379,15 +365,21 @@ class PatchCutter {
     const Vec3 beyond = point.position + 2 * beside() * outward;
     const Vec3 step = beside() * point.normal;
     if (model_.solid.contains(beyond + step) == model_.solid.contains(beyond - step)) return false;
-    if (patch_.is_flat) note_flush(beyond);
+    note_flush_at(beyond);
     return true;
   }
 
   /// The literals that carry a flat patch on.
-  void note_flush(const Vec3& beyond) {
+  void note_flush_at(const Vec3& beyond) {
+    if (!patch_.is_flat) return;
     for (int l = 0; l < static_cast<int>(model_.bounds.size()); ++l) {
       if (l != patch_.literal && std::abs(distance(l, beyond, same())) < same()) note_flush(l);
     }
+  }
+
+  void note_flush(const std::vector<int>& literals) {
+    if (!patch_.is_flat) return;
+    for (const int l : literals) note_flush(l);
   }
 
   void note_flush(int literal) {
@@ -396,9 +388,8 @@ class PatchCutter {
     if (!is_known) out_.flush.push_back(literal);
   }
 
-  void add_line(const Vec2& from, const Vec2& to) {
-    const Vec2 middle = (from + to) / 2;
-    out_.lines.push_back({shown_at(from, middle), shown_at(to, middle), 0});
+  void add_line(const Vec2& from, const Vec2& to, const Vec2& within) {
+    out_.lines.push_back({shown_at(from, within), shown_at(to, within), 0});
   }
 
   const BoundaryModel& model_;

@@ -15,8 +15,8 @@ struct PatchPart {
   std::vector<int> flush;  ///< literals some face of which coincides with this patch, or adjoins it
 };
 
-/// Quarters the patch where other literals' surfaces cross it, down to cells of the finest size,
-/// and finds the edges in the last cells by bisection.
+/// Halves the patch where other literals' surfaces cross it, down to cells of the finest size, and
+/// finds the edges in the last cells by bisection.
 PatchPart cut_patch(const BoundaryModel& model, const BoundaryPatch& patch);
 
 }  // namespace hewn
