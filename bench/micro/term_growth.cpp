@@ -20,11 +20,11 @@ void grow_terms(benchmark::State& state, const char* file) {
   const ColumnTable columns(*table, cells);
   const Combinability combinability(part.surfaces);
   TermGrower grower(columns, combinability);
+  grower.set_open(columns.all());
   Rng rng(3);
   long pure = 0;
   for (auto _ : state) {
     GrowRequest request;
-    request.open = &columns.all();
     request.seed = rng.below(columns.cells());
     request.fills = test_bit(columns.wanted().data(), request.seed);
     request.noise = 0.15;

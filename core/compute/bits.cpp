@@ -1,5 +1,7 @@
 #include "core/compute/bits.h"
 
+#include <algorithm>
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #define HEWN_X86 1
@@ -50,15 +52,22 @@ constexpr BitKernels kKernels{BitPath::Portable, count,        count_and,
 namespace avx2 {
 #define HEWN_TARGET __attribute__((target("avx2,popcnt")))
 
-/// Bits per 64-bit lane by table look-up of nibbles (Mula, Kurz, Lemire 2018).
-HEWN_TARGET inline __m256i count_lanes(__m256i v) {
+/// Bits per byte by table look-up of nibbles (Mula, Kurz, Lemire 2018).
+HEWN_TARGET inline __m256i count_bytes(__m256i v) {
   const __m256i table = _mm256_setr_epi8(0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4, 0, 1, 1, 2,
                                          1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4);
   const __m256i mask = _mm256_set1_epi8(0x0f);
   const __m256i low = _mm256_shuffle_epi8(table, _mm256_and_si256(v, mask));
   const __m256i high = _mm256_shuffle_epi8(table, _mm256_and_si256(_mm256_srli_epi32(v, 4), mask));
-  return _mm256_sad_epu8(_mm256_add_epi8(low, high), _mm256_setzero_si256());
+  return _mm256_add_epi8(low, high);
 }
+
+HEWN_TARGET inline __m256i sum_bytes(__m256i bytes) {
+  return _mm256_sad_epu8(bytes, _mm256_setzero_si256());
+}
+
+/// Bits per 64-bit lane.
+HEWN_TARGET inline __m256i count_lanes(__m256i v) { return sum_bytes(count_bytes(v)); }
 
 HEWN_TARGET inline __m256i load(const Word* p) {
   return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(p));
@@ -117,16 +126,53 @@ HEWN_TARGET void count_common(const Word* a, const Word* b, std::span<const Word
   }
 }
 
+/// Counts bits block by block, in twos: a carry-save adder halves what is looked up (Harley, Seal).
+class PairCounter {
+ public:
+  HEWN_TARGET PairCounter() : ones_(_mm256_setzero_si256()), twos_(ones_), total_(ones_) {}
+
+  HEWN_TARGET void add(__m256i x, __m256i y) {
+    const __m256i either = _mm256_xor_si256(x, y);
+    const __m256i carry = _mm256_or_si256(_mm256_and_si256(x, y), _mm256_and_si256(either, ones_));
+    ones_ = _mm256_xor_si256(either, ones_);
+    twos_ = _mm256_add_epi8(twos_, count_bytes(carry));
+  }
+  /// Due after each `kMostAdds` additions, before a byte is full.
+  static constexpr std::size_t kMostAdds = 31;
+  HEWN_TARGET void flush() {
+    total_ = _mm256_add_epi64(total_, sum_bytes(twos_));
+    twos_ = _mm256_setzero_si256();
+  }
+  HEWN_TARGET int sum_all() {
+    flush();
+    return sum(_mm256_add_epi64(_mm256_add_epi64(total_, total_), count_lanes(ones_)));
+  }
+
+ private:
+  __m256i ones_;   ///< bits not counted yet
+  __m256i twos_;   ///< pairs of bits, by byte
+  __m256i total_;  ///< pairs of bits, by 64-bit lane
+};
+
 HEWN_TARGET void count_common_in(const Word* a, const Word* b, std::span<const Word* const> columns,
                                  std::span<const std::uint32_t> blocks,
                                  std::span<CommonCounts> out) {
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    CommonLanes total = no_common();
-    for (const std::uint32_t i : blocks) {
-      add_common(a + i, b + i, columns[k] + i, total);
-      add_common(a + i + 4, b + i + 4, columns[k] + i + 4, total);
+    PairCounter in_a;
+    PairCounter in_b;
+    for (std::size_t begin = 0; begin < blocks.size(); begin += PairCounter::kMostAdds) {
+      const std::size_t end = std::min(blocks.size(), begin + PairCounter::kMostAdds);
+      for (std::size_t j = begin; j < end; ++j) {
+        const std::uint32_t i = blocks[j];
+        const __m256i c0 = load(columns[k] + i);
+        const __m256i c1 = load(columns[k] + i + 4);
+        in_a.add(_mm256_and_si256(load(a + i), c0), _mm256_and_si256(load(a + i + 4), c1));
+        in_b.add(_mm256_and_si256(load(b + i), c0), _mm256_and_si256(load(b + i + 4), c1));
+      }
+      in_a.flush();
+      in_b.flush();
     }
-    out[k] = {sum(total.a), sum(total.b)};
+    out[k] = {in_a.sum_all(), in_b.sum_all()};
   }
 }
 #undef HEWN_TARGET

@@ -120,9 +120,9 @@ class Beam {
     std::unordered_set<std::uint64_t> seen;
     const int open_cells = static_cast<int>(cells[0].size() + cells[1].size());
     std::vector<Word> effect(space_.words());
+    grower_.set_open(state.open);
     for (int k = 0; k < 2 * options_.seeds && !run_.is_cancelled(); ++k) {
       GrowRequest request;
-      request.open = &state.open;
       request.fills = (k & 1) != 0;
       request.noise = k < 8 ? 0 : options_.noise;
       request.mode = static_cast<GrowMode>(k < options_.seeds ? (k >> 1) % 4

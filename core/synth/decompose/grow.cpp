@@ -16,27 +16,30 @@ TermGrower::TermGrower(const ColumnTable& columns, const Combinability& combinab
     : columns_(&columns), combinability_(&combinability) {
   log_.resize(columns.cells() + 1, 0);
   for (std::size_t i = 1; i < log_.size(); ++i) log_[i] = std::log(static_cast<double>(i));
-  others_.resize(columns.words());
-  others_at_start_.resize(columns.words());
-  same_.resize(columns.words());
-  rest_.resize(columns.words());
+  for (std::size_t k = 0; k < columns.halfspaces(); ++k) {
+    inside_columns_.push_back(columns.column(k, true));
+  }
+}
+
+void TermGrower::set_open(const std::vector<Word>& open, const std::vector<Word>* required) {
+  open_ = &open;
+  required_ = required;
+  for (GrowthStart& s : starts_) s.forget();
+}
+
+GrowthStart& TermGrower::start_of(const GrowRequest& request) {
+  GrowthStart& start = starts_[(request.fills ? 2 : 0) + (request.gains_required ? 1 : 0)];
+  if (!start.is_known()) {
+    start.reset(*columns_, *open_, request.gains_required ? required_ : nullptr, request.fills);
+  }
+  return start;
 }
 
 void TermGrower::start(const GrowRequest& request) {
-  const std::vector<Word>& wanted = columns_->wanted();
-  const Word flip = request.fills ? 0 : ~Word{0};
-  for (std::size_t i = 0; i < others_.size(); ++i) {
-    const Word fits = wanted[i] ^ flip;
-    others_[i] = (*request.open)[i] & ~fits;
-    same_[i] = (*request.open)[i] & fits;
-    if (request.required != nullptr) same_[i] &= (*request.required)[i];
-  }
-  blocks_.clear();
-  for (std::size_t i = 0; i < others_.size(); i += kWordBlock) {
-    blocks_.push_back(static_cast<std::uint32_t>(i));
-  }
-  keep_common(columns_->all().data());
-  others_at_start_ = others_;
+  start_ = &start_of(request);
+  shared_ = &start_->root();
+  cells_ = shared_->cells;
+  left_ = shared_->left;
   literals_.clear();
   prism_ = -1;
   has_planes_ = false;
@@ -44,29 +47,27 @@ void TermGrower::start(const GrowRequest& request) {
   candidates_.clear();
   for (std::size_t k = 0; k < columns_->halfspaces(); ++k) {
     const int halfspace = static_cast<int>(k);
-    candidates_.push_back({halfspace, test_bit(columns_->column(k, true), request.seed),
-                           combinability_->is_plane(halfspace), true, false});
+    candidates_.push_back({halfspace,
+                           test_bit(columns_->column(k, true), request.seed),
+                           combinability_->is_plane(halfspace),
+                           true,
+                           false,
+                           {}});
   }
-}
-
-/// Cells are in spatial order: most blocks soon hold none that is left, and are forgotten.
-void TermGrower::keep_common(const Word* column) {
-  std::size_t kept = 0;
-  for (const std::uint32_t block : blocks_) {
-    Word any = 0;
-    for (std::size_t i = block; i < block + kWordBlock; ++i) {
-      others_[i] &= column[i];
-      same_[i] &= column[i];
-      any |= others_[i] | same_[i];
-    }
-    if (any != 0) blocks_[kept++] = block;
-  }
-  blocks_.resize(kept);
 }
 
 void TermGrower::take(int halfspace, bool inside) {
+  const bool is_first = literals_.empty();
   literals_.push_back({halfspace, inside});
-  keep_common(columns_->column(static_cast<std::size_t>(halfspace), inside));
+  if (is_first) {
+    shared_ = &start_->after(static_cast<std::size_t>(halfspace), inside);
+    cells_ = shared_->cells;
+    left_ = shared_->left;
+  } else {
+    shared_ = nullptr;
+    cells_.keep(columns_->column(static_cast<std::size_t>(halfspace), inside));
+    left_ = cells_.count();
+  }
   const bool is_plane = combinability_->is_plane(halfspace);
   has_planes_ = has_planes_ || is_plane;
   std::erase_if(candidates_, [=](const Candidate& c) { return c.halfspace == halfspace; });
@@ -124,22 +125,47 @@ bool TermGrower::is_prism_side(const TermLiteral& literal) const {
   return std::find(sides.begin(), sides.end(), literal) != sides.end();
 }
 
-/// Counts what each candidate keeps, and forgets those that exclude nothing: they never will again.
-void TermGrower::count_candidates(int others) {
+double TermGrower::gain_of(CommonCounts kept) const {
+  const double base = log_[left_.b] - log_[left_.b + left_.a];
+  return kept.b * (log_[kept.b] - log_[kept.b + kept.a] - base);
+}
+
+/// Of all halfspaces' insides; what an outside keeps is the rest.
+void TermGrower::count_shared() {
+  if (shared_->sides.empty()) {
+    counts_.resize(inside_columns_.size());
+    cells_.count(inside_columns_, counts_);
+    for (const CommonCounts inside : counts_) {
+      const CommonCounts outside{left_.a - inside.a, left_.b - inside.b};
+      shared_->sides.push_back({outside, gain_of(outside)});
+      shared_->sides.push_back({inside, gain_of(inside)});
+    }
+  }
+  for (Candidate& c : candidates_) {
+    c.worth = shared_->sides[2 * static_cast<std::size_t>(c.halfspace) + (c.inside ? 1 : 0)];
+  }
+}
+
+void TermGrower::count_own() {
   candidate_columns_.clear();
   for (const Candidate& c : candidates_) {
     candidate_columns_.push_back(columns_->column(static_cast<std::size_t>(c.halfspace), c.inside));
   }
   counts_.resize(candidates_.size());
-  bit_kernels().count_common_in(others_.data(), same_.data(), candidate_columns_, blocks_, counts_);
-  std::size_t kept = 0;
+  cells_.count(candidate_columns_, counts_);
   for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    if (counts_[k].a == others) continue;
-    candidates_[kept] = candidates_[k];
-    counts_[kept++] = counts_[k];
+    candidates_[k].worth = {counts_[k], gain_of(counts_[k])};
   }
-  candidates_.resize(kept);
-  counts_.resize(kept);
+}
+
+/// Counts what each candidate keeps, and forgets those that exclude nothing: they never will again.
+void TermGrower::count_candidates() {
+  if (shared_ != nullptr) {
+    count_shared();
+  } else {
+    count_own();
+  }
+  std::erase_if(candidates_, [this](const Candidate& c) { return c.worth.kept.a == left_.a; });
 }
 
 double TermGrower::marginal_cost(const Candidate& candidate) const {
@@ -160,43 +186,38 @@ bool TermGrower::is_preferred(GrowMode mode, const Candidate& candidate) const {
   return true;
 }
 
-TermGrower::Choice TermGrower::choose(const GrowRequest& request, int others, bool preferred_only,
+TermGrower::Choice TermGrower::choose(const GrowRequest& request, bool preferred_only,
                                       Rng& rng) const {
   Choice best;
-  const int same = bit_kernels().count(same_.data(), columns_->words());
-  const double base = log_[same] - log_[same + others];
   for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    if (preferred_only && !is_preferred(request.mode, candidates_[k])) continue;
-    const int kept = counts_[k].b;
-    double gain =
-        kept * (log_[kept] - log_[kept + counts_[k].a] - base) / marginal_cost(candidates_[k]);
+    const Candidate& c = candidates_[k];
+    if (preferred_only && !is_preferred(request.mode, c)) continue;
+    double gain = c.worth.gain / marginal_cost(c);
     // The random factor is drawn only where it can matter.
     if (gain * (1 + request.noise) <= best.gain) continue;
     if (request.noise > 0) gain *= 1 + request.noise * (2 * rng.uniform() - 1);
-    if (gain <= 0) gain = 1e-9 * (others - counts_[k].a);
+    if (gain <= 0) gain = 1e-9 * (left_.a - c.worth.kept.a);
     if (gain > best.gain) best = {gain, k, true};
   }
   return best;
 }
 
+bool TermGrower::is_pure_without(std::size_t skipped) const {
+  const OpenCells& open = start_->root().cells;
+  return open.has_no_others_in([&](std::size_t block, Word* cells) {
+    for (std::size_t m = 0; m < literals_.size(); ++m) {
+      if (m == skipped) continue;
+      const Word* column =
+          columns_->column(static_cast<std::size_t>(literals_[m].halfspace), literals_[m].inside);
+      for (std::size_t i = 0; i < kWordBlock; ++i) cells[i] &= column[block + i];
+    }
+  });
+}
+
 /// Removes literals, the first first, that purity does not need.
 void TermGrower::drop_redundant() {
   for (std::size_t k = 0; k < literals_.size() && literals_.size() > 1;) {
-    if (is_prism_side(literals_[k])) {
-      ++k;
-      continue;
-    }
-    rest_ = others_at_start_;
-    bool is_pure = false;
-    for (std::size_t m = 0; m < literals_.size() && !is_pure; ++m) {
-      if (m == k) continue;
-      const Word* column =
-          columns_->column(static_cast<std::size_t>(literals_[m].halfspace), literals_[m].inside);
-      Word any = 0;
-      for (std::size_t i = 0; i < rest_.size(); ++i) any |= rest_[i] &= column[i];
-      is_pure = any == 0;
-    }
-    if (is_pure) {
+    if (!is_prism_side(literals_[k]) && is_pure_without(k)) {
       literals_.erase(literals_.begin() + static_cast<long>(k));
     } else {
       ++k;
@@ -208,12 +229,10 @@ std::optional<Term> TermGrower::grow(const GrowRequest& request, Rng& rng) {
   ++terms_grown_;
   start(request);
   if (!take_curved(request, rng)) return std::nullopt;
-  for (;;) {
-    const int others = bit_kernels().count(others_.data(), columns_->words());
-    if (others == 0) break;
-    count_candidates(others);
-    Choice best = choose(request, others, true, rng);
-    if (!best.found) best = choose(request, others, false, rng);
+  while (left_.a > 0) {
+    count_candidates();
+    Choice best = choose(request, true, rng);
+    if (!best.found) best = choose(request, false, rng);
     if (!best.found || literals_.size() == kMaxLiterals) return std::nullopt;
     const Candidate chosen = candidates_[best.candidate];
     if (marginal_cost(chosen) == 1 && ++primitives_ > request.max_cost + 1) return std::nullopt;

@@ -1,11 +1,12 @@
 #pragma once
 /// Growing one pure term from a seed cell, literal by literal.
-#include <cstdint>
+#include <array>
 #include <optional>
 #include <vector>
 
 #include "core/base/rng.h"
 #include "core/sample/cells.h"
+#include "core/synth/decompose/growth_start.h"
 #include "core/synth/decompose/term.h"
 #include "core/synth/decompose/term_cost.h"
 
@@ -15,12 +16,11 @@ namespace hewn {
 enum class GrowMode { Free, CappedCurved, SingleBox, CurvedFirst };
 
 struct GrowRequest {
-  const std::vector<Word>* open = nullptr;      ///< cells not decided yet
-  const std::vector<Word>* required = nullptr;  ///< count gain only here; null: all open cells
-  std::size_t seed = 0;                         ///< a cell that the term must cover
+  std::size_t seed = 0;  ///< a cell that the term must cover
   bool fills = true;
-  double noise = 0;     ///< random factor on gains, for variety
-  int max_cost = 1000;  ///< give up on terms that are bound to be dearer
+  bool gains_required = false;  ///< count gain only on the required cells, not on all open ones
+  double noise = 0;             ///< random factor on gains, for variety
+  int max_cost = 1000;          ///< give up on terms that are bound to be dearer
   GrowMode mode = GrowMode::Free;
 };
 
@@ -30,8 +30,12 @@ class TermGrower {
  public:
   TermGrower(const ColumnTable& columns, const Combinability& combinability);
 
+  /// The cells not decided yet, and those among them that gain may be restricted to. Terms grown
+  /// from the same cells share work. Both must outlive the growing.
+  void set_open(const std::vector<Word>& open, const std::vector<Word>* required = nullptr);
+
   /// A term that covers the seed and no open cell of the other kind; nullopt when none was found.
-  /// Cost: O(literals x halfspaces x words).
+  /// Requires: `set_open`. Cost: O(literals x halfspaces x words).
   std::optional<Term> grow(const GrowRequest& request, Rng& rng);
 
   long terms_grown() const { return terms_grown_; }
@@ -44,30 +48,41 @@ class TermGrower {
     bool is_plane;
     bool shares_box;  ///< square to every plane taken so far
     bool is_cap;      ///< caps a curved literal or prism taken so far
+    SideWorth worth;
   };
   struct Choice {
     double gain = 0;
     std::size_t candidate = 0;
     bool found = false;
   };
+  GrowthStart& start_of(const GrowRequest& request);
   void start(const GrowRequest& request);
   bool take_curved(const GrowRequest& request, Rng& rng);
   void take(int halfspace, bool inside);
-  void keep_common(const Word* column);
   void take_prism(int prism);
   bool may_hold_seed(const RegularPrism& prism) const;
   bool is_prism_side(const TermLiteral& literal) const;
-  void count_candidates(int others);
-  Choice choose(const GrowRequest& request, int others, bool preferred_only, Rng& rng) const;
+  double gain_of(CommonCounts kept) const;
+  void count_candidates();
+  void count_shared();
+  void count_own();
+  Choice choose(const GrowRequest& request, bool preferred_only, Rng& rng) const;
   bool is_preferred(GrowMode mode, const Candidate& candidate) const;
   double marginal_cost(const Candidate& candidate) const;
+  bool is_pure_without(std::size_t skipped) const;
   void drop_redundant();
 
   const ColumnTable* columns_;
   const Combinability* combinability_;
   std::vector<double> log_;
-  std::vector<Word> others_, others_at_start_, same_, rest_;
-  std::vector<std::uint32_t> blocks_;  ///< where `others_` or `same_` have bits left
+  std::vector<const Word*> inside_columns_;  ///< by halfspace
+  const std::vector<Word>* open_ = nullptr;
+  const std::vector<Word>* required_ = nullptr;
+  std::array<GrowthStart, 4> starts_;  ///< by kind of term and of gain
+  GrowthStart* start_ = nullptr;
+  CountedCells* shared_ = nullptr;  ///< equal to `cells_` but for what others have counted; or null
+  OpenCells cells_;
+  CommonCounts left_;  ///< in `cells_`
   std::vector<TermLiteral> literals_;
   int prism_ = -1;  ///< taken as a whole, if any
   bool has_planes_ = false;

@@ -156,12 +156,12 @@ class Stepper {
   TermPtr best_regrown(int budget) {
     double best_score = 0;
     std::optional<Term> best;
+    grower_.set_open(open_, &required_);
     for (int k = 0; k < options_.regrow_tries && budget > 0; ++k) {
       GrowRequest request;
-      request.open = &open_;
       request.seed = cells_[rng_.below(cells_.size())];
       request.fills = test_bit(space_.columns->wanted().data(), request.seed);
-      request.required = rng_.below(4) != 0 ? &required_ : nullptr;
+      request.gains_required = rng_.below(4) != 0;
       request.noise = kRegrowNoise;
       request.max_cost = budget;
       request.mode = static_cast<GrowMode>(rng_.below(4));
@@ -225,12 +225,12 @@ bool repair_list(const SearchSpace& space, DecisionList& list, TermGrower& growe
     double best_score = 0;
     std::optional<Term> best;
     if (run.is_cancelled()) return false;
+    grower.set_open(space.care, &wrong);
     for (int k = 0; k < kRepairTries; ++k) {
       GrowRequest request;
-      request.open = &space.care;
       request.seed = cells[rng.below(cells.size())];
       request.fills = test_bit(space.columns->wanted().data(), request.seed);
-      request.required = rng.coin() ? &wrong : nullptr;
+      request.gains_required = rng.coin();
       request.noise = 0.4;
       request.mode = static_cast<GrowMode>(rng.below(4));
       std::optional<Term> term = grower.grow(request, rng);

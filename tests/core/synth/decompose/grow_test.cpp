@@ -8,11 +8,11 @@ namespace {
 TEST_CASE("a grown term covers its seed and no open cell of the other kind") {
   const SearchFixture f(solids::plate_with_hole({10, 8, 2}, 2, 24));
   TermGrower grower(f.columns, f.combinability);
+  grower.set_open(f.space.care);
   Rng rng(1);
   int grown = 0;
   for (int k = 0; k < 400; ++k) {
     GrowRequest request;
-    request.open = &f.space.care;
     request.seed = rng.below(f.columns.cells());
     request.fills = test_bit(f.columns.wanted().data(), request.seed);
     request.mode = static_cast<GrowMode>(k % 4);
@@ -34,10 +34,10 @@ TEST_CASE("a grown term covers its seed and no open cell of the other kind") {
 TEST_CASE("no literal of a grown term can be left out") {
   const SearchFixture f(solids::plate_with_hole({10, 8, 2}, 2, 24));
   TermGrower grower(f.columns, f.combinability);
+  grower.set_open(f.space.care);
   Rng rng(2);
   for (int k = 0; k < 100; ++k) {
     GrowRequest request;
-    request.open = &f.space.care;
     request.seed = rng.below(f.columns.cells());
     request.fills = test_bit(f.columns.wanted().data(), request.seed);
     const auto term = grower.grow(request, rng);

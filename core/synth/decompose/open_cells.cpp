@@ -1,0 +1,49 @@
+#include "core/synth/decompose/open_cells.h"
+
+namespace hewn {
+
+void OpenCells::reset(const ColumnTable& columns, const std::vector<Word>& open,
+                      const std::vector<Word>* gained, bool fills) {
+  const std::vector<Word>& wanted = columns.wanted();
+  const std::vector<Word>& all = columns.all();
+  const Word flip = fills ? 0 : ~Word{0};
+  others_.resize(columns.words());
+  same_.resize(columns.words());
+  for (std::size_t i = 0; i < others_.size(); ++i) {
+    const Word fits = wanted[i] ^ flip;
+    const Word cells = open[i] & all[i];
+    others_[i] = cells & ~fits;
+    same_[i] = cells & fits;
+    if (gained != nullptr) same_[i] &= (*gained)[i];
+  }
+  blocks_.clear();
+  for (std::size_t i = 0; i < others_.size(); i += kWordBlock) {
+    blocks_.push_back(static_cast<std::uint32_t>(i));
+  }
+  keep(all.data());
+}
+
+void OpenCells::keep(const Word* column) {
+  std::size_t kept = 0;
+  for (const std::uint32_t block : blocks_) {
+    Word any = 0;
+    for (std::size_t i = block; i < block + kWordBlock; ++i) {
+      others_[i] &= column[i];
+      same_[i] &= column[i];
+      any |= others_[i] | same_[i];
+    }
+    if (any != 0) blocks_[kept++] = block;
+  }
+  blocks_.resize(kept);
+}
+
+CommonCounts OpenCells::count() const {
+  return {bit_kernels().count(others_.data(), others_.size()),
+          bit_kernels().count(same_.data(), same_.size())};
+}
+
+void OpenCells::count(std::span<const Word* const> columns, std::span<CommonCounts> out) const {
+  bit_kernels().count_common_in(others_.data(), same_.data(), columns, blocks_, out);
+}
+
+}  // namespace hewn

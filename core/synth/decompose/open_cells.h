@@ -1,0 +1,48 @@
+#pragma once
+/// The cells that a growing term still has to sort out.
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/sample/cells.h"
+
+namespace hewn {
+
+/// Open cells as a term sees them: others must not be covered, the same ones are what it gains.
+/// Memory is kept between uses.
+class OpenCells {
+ public:
+  /// The cells in `open`, of which those not in `gained` (if any) count for nothing.
+  void reset(const ColumnTable& columns, const std::vector<Word>& open,
+             const std::vector<Word>* gained, bool fills);
+
+  /// Keeps the cells in the column. Cells are in spatial order: most blocks soon hold none that is
+  /// left, and are forgotten.
+  void keep(const Word* column);
+
+  /// Whether `narrow(first word, cells)`, which clears bits of a block of cells, leaves none of the
+  /// others. Ends with the first block where it does.
+  template <class Narrow>
+  bool has_no_others_in(const Narrow& narrow) const {
+    for (const std::uint32_t block : blocks_) {
+      Word cells[kWordBlock];
+      std::copy_n(others_.data() + block, kWordBlock, cells);
+      narrow(block, cells);
+      Word any = 0;
+      for (const Word w : cells) any |= w;
+      if (any != 0) return false;
+    }
+    return true;
+  }
+  /// How many are left: others as `a`, the same as `b`.
+  CommonCounts count() const;
+  /// How many each of the columns would keep.
+  void count(std::span<const Word* const> columns, std::span<CommonCounts> out) const;
+
+ private:
+  std::vector<Word> others_, same_;
+  std::vector<std::uint32_t> blocks_;  ///< first words of the blocks with bits left
+};
+
+}  // namespace hewn
