@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "core/synth/decompose/grow.h"
+#include "core/synth/decompose/grower_team.h"
 
 namespace hewn {
 namespace {
@@ -40,12 +40,12 @@ Word pairs_touched(const ColumnTable& columns, const Term& term, std::size_t gro
 
 class Beam {
  public:
-  Beam(const SearchSpace& space, const ConstructOptions& options, TermGrower& grower, Rng& rng,
+  Beam(const SearchSpace& space, const ConstructOptions& options, GrowerTeam& growers, Rng& rng,
        const RunContext& run)
       : space_(space),
         columns_(*space.columns),
         options_(options),
-        grower_(grower),
+        growers_(growers),
         rng_(rng),
         run_(run) {}
 
@@ -114,14 +114,10 @@ class Beam {
     }
   }
 
-  std::vector<Candidate> grow_candidates(const State& state,
-                                         const std::vector<std::size_t> (&cells)[2]) {
-    std::vector<Candidate> candidates;
-    std::unordered_set<std::uint64_t> seen;
-    const int open_cells = static_cast<int>(cells[0].size() + cells[1].size());
-    std::vector<Word> effect(space_.words());
-    grower_.set_open(state.open);
-    for (int k = 0; k < 2 * options_.seeds && !run_.is_cancelled(); ++k) {
+  /// What to grow from a state: as many filling terms as cutting ones.
+  const std::vector<GrowRequest>& draw_requests(const std::vector<std::size_t> (&cells)[2]) {
+    requests_.clear();
+    for (int k = 0; k < 2 * options_.seeds; ++k) {
       GrowRequest request;
       request.fills = (k & 1) != 0;
       request.noise = k < 8 ? 0 : options_.noise;
@@ -129,10 +125,22 @@ class Beam {
                                                               : static_cast<int>(rng_.below(4)));
       const auto& pool = cells[request.fills ? 1 : 0];
       request.seed = pool[rng_.below(pool.size())];
-      std::optional<Term> term = grower_.grow(request, rng_);
+      request.random = rng_.next();
+      requests_.push_back(request);
+    }
+    return requests_;
+  }
+
+  std::vector<Candidate> grow_candidates(const State& state,
+                                         const std::vector<std::size_t> (&cells)[2]) {
+    std::vector<Candidate> candidates;
+    std::unordered_set<std::uint64_t> seen;
+    const int open_cells = static_cast<int>(cells[0].size() + cells[1].size());
+    std::vector<Word> effect(space_.words());
+    for (std::optional<Term>& term : growers_.grow(draw_requests(cells), state.open)) {
       if (!term) continue;
       for (std::size_t i = 0; i < effect.size(); ++i) effect[i] = term->cover[i] & state.open[i];
-      if (!seen.insert(hash_words(effect, request.fills ? 1 : 0)).second) continue;
+      if (!seen.insert(hash_words(effect, term->fills ? 1 : 0)).second) continue;
       const int decided = bit_kernels().count(effect.data(), effect.size());
       const double value = resolved_groups(state, *term) + kCellWeight * decided / open_cells;
       candidates.push_back(
@@ -169,9 +177,10 @@ class Beam {
   const SearchSpace& space_;
   const ColumnTable& columns_;
   const ConstructOptions& options_;
-  TermGrower& grower_;
+  GrowerTeam& growers_;
   Rng& rng_;
   const RunContext& run_;
+  std::vector<GrowRequest> requests_;
   std::optional<DecisionList> best_;
   std::unordered_map<std::uint64_t, int> cheapest_;  // looked up only, never iterated
 };
@@ -179,9 +188,9 @@ class Beam {
 }  // namespace
 
 std::optional<DecisionList> construct_list(const SearchSpace& space,
-                                           const ConstructOptions& options, TermGrower& grower,
+                                           const ConstructOptions& options, GrowerTeam& growers,
                                            Rng& rng, const RunContext& run) {
-  std::optional<DecisionList> list = Beam(space, options, grower, rng, run).run();
+  std::optional<DecisionList> list = Beam(space, options, growers, rng, run).run();
   if (list) drop_redundant_items(space, list->items, list->base);
   return list;
 }

@@ -8,7 +8,7 @@
 
 namespace hewn {
 
-class TermGrower;
+class GrowerTeam;
 
 struct ConstructOptions {
   int beam_width = 6;
@@ -19,7 +19,7 @@ struct ConstructOptions {
 /// A right list; nullopt when the beam dies out (contradictory cells) or the run is cancelled.
 /// Cost: O(items x width x seeds) grown terms.
 std::optional<DecisionList> construct_list(const SearchSpace& space,
-                                           const ConstructOptions& options, TermGrower& grower,
+                                           const ConstructOptions& options, GrowerTeam& growers,
                                            Rng& rng, const RunContext& run);
 
 }  // namespace hewn

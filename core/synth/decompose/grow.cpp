@@ -225,8 +225,9 @@ void TermGrower::drop_redundant() {
   }
 }
 
-std::optional<Term> TermGrower::grow(const GrowRequest& request, Rng& rng) {
+std::optional<Term> TermGrower::grow(const GrowRequest& request) {
   ++terms_grown_;
+  Rng rng(request.random);
   start(request);
   if (!take_curved(request, rng)) return std::nullopt;
   while (left_.a > 0) {

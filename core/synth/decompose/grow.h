@@ -1,6 +1,7 @@
 #pragma once
 /// Growing one pure term from a seed cell, literal by literal.
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct GrowRequest {
   double noise = 0;             ///< random factor on gains, for variety
   int max_cost = 1000;          ///< give up on terms that are bound to be dearer
   GrowMode mode = GrowMode::Free;
+  std::uint64_t random = 0;  ///< seeds the random numbers of this growth
 };
 
 /// Grows terms by information gain per marginal cost (FOIL, Quinlan 1990), then drops literals
@@ -36,7 +38,7 @@ class TermGrower {
 
   /// A term that covers the seed and no open cell of the other kind; nullopt when none was found.
   /// Requires: `set_open`. Cost: O(literals x halfspaces x words).
-  std::optional<Term> grow(const GrowRequest& request, Rng& rng);
+  std::optional<Term> grow(const GrowRequest& request);
 
   long terms_grown() const { return terms_grown_; }
 

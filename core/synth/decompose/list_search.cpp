@@ -6,7 +6,7 @@
 
 #include "core/compute/parallel.h"
 #include "core/synth/decompose/construct.h"
-#include "core/synth/decompose/grow.h"
+#include "core/synth/decompose/grower_team.h"
 
 namespace hewn {
 namespace {
@@ -50,12 +50,12 @@ std::optional<FoundList> ListSearch::construct(const Progress& progress) {
     const bool clip = (i & 1) != 0 && options_.may_clip;
     const SearchSpace& space = spaces_[clip ? 1 : 0];
     Rng rng(run_.seed, stream_ + i);
-    TermGrower grower(*space.columns, *space.combinability);
+    GrowerTeam growers(*space.columns, *space.combinability, run_);
     ConstructOptions o;
     o.beam_width = std::max(2, static_cast<int>(options_.beam_width * std::sqrt(effort())));
     o.seeds = std::max(8, static_cast<int>(o.seeds * std::sqrt(effort())));
     o.noise = i < 2 ? 0.15 : 0.4;
-    std::optional<DecisionList> list = construct_list(space, o, grower, rng, run_);
+    std::optional<DecisionList> list = construct_list(space, o, growers, rng, run_);
     if (list) {
       tell(*list, clip);
       grown[i] = improve_list(space, walk_options(*list, options_.first_share), *list, rng, run_)
@@ -63,7 +63,7 @@ std::optional<FoundList> ListSearch::construct(const Progress& progress) {
       tell(*list, clip);
       found[i] = FoundList{std::move(*list), clip};
     }
-    grown[i] += grower.terms_grown();
+    grown[i] += growers.terms_grown();
     progress(0.8 * ++ended / static_cast<double>(starts));
   });
   for (const long g : grown) terms_grown_ += g;
@@ -110,9 +110,9 @@ bool ListSearch::repair(FoundList& found) {
   const SearchSpace& space = spaces_[found.is_clipped() ? 1 : 0];
   for (TermPtr& item : found.list.items) item = with_cover(*space.columns, *item);
   Rng rng(run_.seed, stream_ + 200);
-  TermGrower grower(*space.columns, *space.combinability);
-  if (!repair_list(space, found.list, grower, rng, run_)) return false;
-  terms_grown_ += grower.terms_grown();
+  GrowerTeam growers(*space.columns, *space.combinability, run_);
+  if (!repair_list(space, found.list, growers, rng, run_)) return false;
+  terms_grown_ += growers.terms_grown();
   std::vector<FoundList> walks(2, found);
   refine(500, 2, walks);
   keep_cheapest(walks, 1);

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/compute/speculate.h"
-#include "core/synth/decompose/grow.h"
+#include "core/synth/decompose/grower_team.h"
 
 namespace hewn {
 namespace {
@@ -20,27 +19,18 @@ struct Window {
   std::size_t begin = 0, end = 0;
 };
 
-/// Tries single steps through the neighbourhood of a list. Holds scratch memory: one per thread.
+/// Takes single steps through the neighbourhood of a list.
 class Stepper {
  public:
-  Stepper(const SearchSpace& space, const NeighbourhoodOptions& options)
-      : space_(space), options_(options), grower_(*space.columns, *space.combinability) {}
+  Stepper(const SearchSpace& space, const NeighbourhoodOptions& options, Rng& rng,
+          const RunContext& run)
+      : space_(space),
+        options_(options),
+        rng_(rng),
+        growers_(*space.columns, *space.combinability, run) {}
 
-  /// Tries one window of `list`; true when something no worse can take its place: `result()`.
-  bool try_step(const DecisionList& list, Rng rng) {
-    rng_ = rng;
-    const long grown_before = grower_.terms_grown();
-    const bool is_found = find_step(list);
-    terms_grown_ = grower_.terms_grown() - grown_before;
-    return is_found;
-  }
-
-  DecisionList& result() { return result_; }
-  /// By the last step.
-  long terms_grown() const { return terms_grown_; }
-
- private:
-  bool find_step(const DecisionList& list) {
+  /// Tries one window of `list`; puts what is no worse in its place. False when nothing was found.
+  bool take_step(DecisionList& list) {
     std::vector<TermPtr> items = list.items;
     commute(items, list.base);
     Window window = random_window(items.size());
@@ -52,10 +42,15 @@ class Stepper {
     result.insert(result.end(), items.begin() + static_cast<long>(window.end), items.end());
     if (!is_right(space_, result, list.base)) return false;
     drop_redundant_items(space_, result, list.base);
-    result_ = {std::move(result), list.base};
-    return result_.cost() <= list.cost();
+    DecisionList changed{std::move(result), list.base};
+    if (changed.cost() > list.cost()) return false;
+    list = std::move(changed);
+    return true;
   }
 
+  long terms_grown() const { return growers_.terms_grown(); }
+
+ private:
   /// Moves an item as long as the list stays right.
   bool try_move(std::vector<TermPtr>& items, bool base, std::size_t from, std::size_t to) {
     std::vector<TermPtr> moved = items;
@@ -152,98 +147,94 @@ class Stepper {
     }
   }
 
+  GrowRequest draw_request(int budget) {
+    GrowRequest request;
+    request.seed = cells_[rng_.below(cells_.size())];
+    request.fills = test_bit(space_.columns->wanted().data(), request.seed);
+    request.gains_required = rng_.below(4) != 0;
+    request.noise = kRegrowNoise;
+    request.max_cost = budget;
+    request.mode = static_cast<GrowMode>(rng_.below(4));
+    request.random = rng_.next();
+    return request;
+  }
+
   /// The regrown term that decides the most required cells per cost, none dearer than `budget`.
   TermPtr best_regrown(int budget) {
+    if (budget <= 0) return nullptr;
+    requests_.clear();
+    for (int k = 0; k < options_.regrow_tries; ++k) requests_.push_back(draw_request(budget));
     double best_score = 0;
-    std::optional<Term> best;
-    grower_.set_open(open_, &required_);
-    for (int k = 0; k < options_.regrow_tries && budget > 0; ++k) {
-      GrowRequest request;
-      request.seed = cells_[rng_.below(cells_.size())];
-      request.fills = test_bit(space_.columns->wanted().data(), request.seed);
-      request.gains_required = rng_.below(4) != 0;
-      request.noise = kRegrowNoise;
-      request.max_cost = budget;
-      request.mode = static_cast<GrowMode>(rng_.below(4));
-      std::optional<Term> term = grower_.grow(request, rng_);
+    std::optional<Term>* best = nullptr;
+    for (std::optional<Term>& term : growers_.grow(requests_, open_, &required_)) {
       if (!term || term->cost > budget) continue;
       const int decided =
           bit_kernels().count_and(term->cover.data(), required_.data(), required_.size());
       const double score = decided * (1 + 0.3 * (rng_.uniform() - 0.5)) / term->cost;
       if (score > best_score) {
         best_score = score;
-        best = std::move(term);
+        best = &term;
       }
     }
-    return best ? std::make_shared<const Term>(std::move(*best)) : nullptr;
+    return best != nullptr ? std::make_shared<const Term>(std::move(**best)) : nullptr;
   }
 
   const SearchSpace& space_;
   const NeighbourhoodOptions& options_;
-  TermGrower grower_;
-  Rng rng_{0};
+  Rng& rng_;
+  GrowerTeam growers_;
+  std::vector<GrowRequest> requests_;
   std::vector<Word> open_, required_;
   std::vector<std::size_t> cells_;
-  DecisionList result_;
-  long terms_grown_ = 0;
 };
 
 }  // namespace
 
 WalkReport improve_list(const SearchSpace& space, const NeighbourhoodOptions& options,
                         DecisionList& list, Rng& rng, const RunContext& run) {
-  std::vector<Stepper> steppers(speculation_width(run.threads), Stepper(space, options));
-  const std::uint64_t seed = rng.next();
+  Stepper stepper(space, options, rng, run);
   WalkReport report;
   int stall = 0;
-  while (report.steps < options.steps && stall < options.stall_steps && !list.items.empty()) {
-    if (run.should_stop()) break;
-    const int left = std::min(options.steps - report.steps, options.stall_steps - stall);
-    const std::size_t width = std::min(steppers.size(), static_cast<std::size_t>(left));
-    const std::size_t hit = first_success(run.threads, width, [&](std::size_t k) {
-      const auto step = static_cast<std::uint64_t>(report.steps) + k;
-      return steppers[k].try_step(list, Rng(seed, step));
-    });
-    const std::size_t tried = std::min(hit + 1, width);
-    for (std::size_t k = 0; k < tried; ++k) report.terms_grown += steppers[k].terms_grown();
-    report.steps += static_cast<int>(tried);
-    stall += static_cast<int>(tried);
-    if (hit == width) continue;
-    if (steppers[hit].result().cost() < list.cost()) stall = 0;
-    list = std::move(steppers[hit].result());
+  for (; report.steps < options.steps && stall < options.stall_steps; ++report.steps) {
+    if (list.items.empty() || run.should_stop()) break;
+    const int cost = list.cost();
+    const bool is_better = stepper.take_step(list) && list.cost() < cost;
+    stall = is_better ? 0 : stall + 1;
   }
+  report.terms_grown = stepper.terms_grown();
   return report;
 }
 
-bool repair_list(const SearchSpace& space, DecisionList& list, TermGrower& grower, Rng& rng,
+bool repair_list(const SearchSpace& space, DecisionList& list, GrowerTeam& growers, Rng& rng,
                  const RunContext& run) {
+  std::vector<GrowRequest> requests(kRepairTries);
   for (int round = 0; round < kMaxRepairs; ++round) {
     const std::vector<Word> wrong = wrong_cells(space, list.items, list.base);
     std::vector<std::size_t> cells;
     for_each_bit(wrong, [&](std::size_t c) { cells.push_back(c); });
     if (cells.empty()) return true;
-    double best_score = 0;
-    std::optional<Term> best;
     if (run.is_cancelled()) return false;
-    grower.set_open(space.care, &wrong);
-    for (int k = 0; k < kRepairTries; ++k) {
-      GrowRequest request;
+    for (GrowRequest& request : requests) {
       request.seed = cells[rng.below(cells.size())];
       request.fills = test_bit(space.columns->wanted().data(), request.seed);
       request.gains_required = rng.coin();
       request.noise = 0.4;
       request.mode = static_cast<GrowMode>(rng.below(4));
-      std::optional<Term> term = grower.grow(request, rng);
+      request.random = rng.next();
+    }
+    double best_score = 0;
+    std::optional<Term>* best = nullptr;
+    for (std::optional<Term>& term : growers.grow(requests, space.care, &wrong)) {
       if (!term) continue;
       const int mended = bit_kernels().count_and(term->cover.data(), wrong.data(), wrong.size());
       const double score = static_cast<double>(mended) / term->cost;
       if (score > best_score) {
         best_score = score;
-        best = std::move(term);
+        best = &term;
       }
     }
-    if (!best) return false;
-    list.items.insert(list.items.begin(), std::make_shared<const Term>(std::move(*best)));
+    if (best == nullptr) return false;
+    list.items.insert(list.items.begin(), std::make_shared<const Term>(std::move(**best)));
   }
   return false;
 }

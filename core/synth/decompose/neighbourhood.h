@@ -7,7 +7,7 @@
 
 namespace hewn {
 
-class TermGrower;
+class GrowerTeam;
 
 struct NeighbourhoodOptions {
   int steps = 400;        ///< tried windows at most
@@ -20,14 +20,13 @@ struct WalkReport {
   long terms_grown = 0;
 };
 
-/// Improves a right list in place; it stays right. Threads that have nothing to do try the next
-/// windows ahead; the result is the same without them.
+/// Improves a right list in place; it stays right.
 WalkReport improve_list(const SearchSpace& space, const NeighbourhoodOptions& options,
                         DecisionList& list, Rng& rng, const RunContext& run);
 
 /// Mends a list that has become wrong (new cells) by putting terms in front.
 /// False when a wrong cell cannot be covered, and when the run is cancelled.
-bool repair_list(const SearchSpace& space, DecisionList& list, TermGrower& grower, Rng& rng,
+bool repair_list(const SearchSpace& space, DecisionList& list, GrowerTeam& growers, Rng& rng,
                  const RunContext& run);
 
 }  // namespace hewn

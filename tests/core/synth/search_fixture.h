@@ -4,7 +4,7 @@
 
 #include "core/sample/separate.h"
 #include "core/synth/decompose/construct.h"
-#include "core/synth/decompose/grow.h"
+#include "core/synth/decompose/grower_team.h"
 #include "tests/support/part_problem.h"
 #include "tests/support/solids.h"
 

@@ -12,12 +12,13 @@ struct ListFixture : SearchFixture {
   using SearchFixture::SearchFixture;
 
   DecisionList construct(std::uint64_t seed) {
-    TermGrower grower(columns, combinability);
+    const RunContext run;
+    GrowerTeam growers(columns, combinability, run);
     Rng rng(seed);
     ConstructOptions options;
     options.beam_width = 2;
     options.seeds = 8;
-    auto list = construct_list(space, options, grower, rng, {});
+    auto list = construct_list(space, options, growers, rng, run);
     REQUIRE(list);
     return *list;
   }
@@ -43,9 +44,10 @@ TEST_CASE("a list that lacks an item has wrong cells, and repair mends them") {
   Word wrong = 0;
   for (const Word w : wrong_cells(f.space, list.items, list.base)) wrong |= w;
   CHECK(wrong != 0);
-  TermGrower grower(f.columns, f.combinability);
+  const RunContext run;
+  GrowerTeam growers(f.columns, f.combinability, run);
   Rng rng(3);
-  REQUIRE(repair_list(f.space, list, grower, rng, {}));
+  REQUIRE(repair_list(f.space, list, growers, rng, run));
   CHECK(is_right(f.space, list.items, list.base));
 }
 

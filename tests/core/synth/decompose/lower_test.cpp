@@ -8,12 +8,13 @@ namespace {
 
 /// The share of uniform points on which the lowered tree and the list agree.
 double tree_agrees(SearchFixture& f, std::uint64_t seed) {
-  TermGrower grower(f.columns, f.combinability);
+  const RunContext run;
+  GrowerTeam growers(f.columns, f.combinability, run);
   Rng rng(seed);
   ConstructOptions options;
   options.beam_width = 2;
   options.seeds = 8;
-  const auto list = construct_list(f.space, options, grower, rng, {});
+  const auto list = construct_list(f.space, options, growers, rng, run);
   REQUIRE(list);
   const Tree tree = lower_list(*list, f.part.surfaces, *f.part.mesh, {}, f.part.space.frame, {});
   const ListSolid solid(*list, f.part.surfaces.halfspaces, f.part.space.frame, false);

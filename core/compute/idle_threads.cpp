@@ -1,0 +1,29 @@
+#include "core/compute/idle_threads.h"
+
+#include <algorithm>
+
+#include <tbb/task_arena.h>
+
+#include "core/compute/arena.h"
+#include "core/compute/parallel.h"
+
+namespace hewn {
+namespace {
+
+/// More are seldom idle at a time.
+constexpr std::size_t kMostWorkers = 8;
+
+}  // namespace
+
+std::size_t idle_workers(int threads) {
+  return std::min(static_cast<std::size_t>(worker_count(threads)), kMostWorkers);
+}
+
+void for_each_with_idle(int threads, std::size_t workers, std::size_t n,
+                        const std::function<void(std::size_t, std::size_t)>& body) {
+  if (workers <= 1 || n <= 1) return for_each_with_worker(1, 1, n, body);
+  const auto loop = [&] { for_each_with_worker(threads, workers, n, body); };
+  in_arena(threads, [&loop] { tbb::this_task_arena::isolate(loop); });
+}
+
+}  // namespace hewn
