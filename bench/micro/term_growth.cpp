@@ -8,6 +8,8 @@
 namespace hewn::bench {
 namespace {
 
+constexpr long kBatch = 48;  ///< terms from the same open cells, as for a state of the beam search
+
 void grow_terms(benchmark::State& state, const char* file) {
   const auto loaded = load_sample(file);
   if (!loaded) return state.SkipWithError(loaded.error().message.c_str());
@@ -20,10 +22,10 @@ void grow_terms(benchmark::State& state, const char* file) {
   const ColumnTable columns(*table, cells);
   const Combinability combinability(part.surfaces);
   TermGrower grower(columns, combinability);
-  grower.set_open(columns.all());
   Rng rng(3);
   long pure = 0;
   for (auto _ : state) {
+    if (grower.terms_grown() % kBatch == 0) grower.set_open(columns.all());
     GrowRequest request;
     request.seed = rng.below(columns.cells());
     request.fills = test_bit(columns.wanted().data(), request.seed);

@@ -1,7 +1,6 @@
 #pragma once
 /// The boundary of a tree's solid as triangles for pictures: the patches of its literals, cut where
 /// they leave the boundary. Fast, and not watertight; `tessellate` makes files.
-#include <array>
 #include <cstdint>
 #include <vector>
 

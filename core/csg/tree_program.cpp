@@ -115,14 +115,6 @@ std::string obstacle(const Tree& tree) {
 
 }  // namespace
 
-bool TreeProgram::answer(const std::vector<bool>& is_inside) const {
-  std::uint32_t at = start;
-  while (at < steps.size()) {
-    at = is_inside[steps[at].literal] ? steps[at].inside : steps[at].outside;
-  }
-  return at == kSolid;
-}
-
 Result<TreeProgram> encode_tree(const Tree& tree) {
   if (const std::string why = obstacle(tree); !why.empty()) {
     return Error{ErrorCode::InvalidArgument, why};

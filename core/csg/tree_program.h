@@ -38,9 +38,6 @@ struct TreeProgram {
   int stretches = 0;  ///< at most so many intervals lie on a ray, over all literals
   /// As which literal each flat end is shown, six a literal: by axis, the lower end first.
   std::vector<std::int32_t> shown;
-
-  /// The tree's answer where `is_inside[l]` tells whether a point lies inside literal l.
-  bool answer(const std::vector<bool>& is_inside) const;
 };
 
 /// A ray may cross at most so many intervals; a torus counts twice.
