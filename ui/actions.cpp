@@ -123,6 +123,12 @@ std::function<void(Ui&)> command() {
   return [](Ui& ui) { static_cast<void>(ui.session.execute(Command{})); };
 }
 
+/// Whoever asks for a tree wants to see it; until there is one the view keeps the input.
+void reconstruct(Ui& ui) {
+  if (!ui.session.execute(Reconstruct{})) return;
+  if (ui.state.show == ShowMode::Input) ui.state.show = ShowMode::Result;
+}
+
 template <class T>
 std::function<void(Ui&)> put(T StudioState::*member, T value) {
   return [member, value](Ui& ui) { ui.state.*member = value; };
@@ -195,7 +201,7 @@ void add_edit_actions(std::vector<Action>& out) {
                  },
                  suggest});
   out.push_back({"Edit", "Reconstruct", 'R', kCtrl, "Find the tree of the plan.", has_mesh,
-                 command<Reconstruct>()});
+                 reconstruct});
   out.push_back({"Edit", "Live reconstruction", 'L', kCtrl,
                  "Find the tree anew after every change of the plan.", always,
                  [](Ui& ui) { ui.session.set_live(!ui.session.is_live()); }});

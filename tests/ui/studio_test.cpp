@@ -129,6 +129,20 @@ TEST_CASE("colours tell what they are asked to") {
   CHECK((group_states(ui)[2].flags & kHoveredFlag) != 0);
 }
 
+TEST_CASE("a tree that was asked for is shown when it comes") {
+  Bench bench;
+  bench.session().set_views(true);
+  Ui& ui = bench.studio().ui();
+  const ViewArea area{0, 0, 800, 600};
+  CHECK(bench.key('R', kCtrl));
+  CHECK(build_scene(ui, area).items[0].slot == MeshSlot::Input);
+  bench.session().wait();
+  bench.session().poll();
+  bench.session().wait();
+  REQUIRE(bench.session().result_view());
+  CHECK(build_scene(ui, area).items[0].slot == MeshSlot::Surface);
+}
+
 TEST_CASE("Space, held, shows the input alone") {
   Bench bench;
   bench.session().set_views(true);

@@ -92,11 +92,10 @@ Result<GlEngine> GlEngine::create() {
   return out;
 }
 
-void GlEngine::resize(int width, int height, int samples) {
-  if (width == width_ && height == height_ && samples == samples_) return;
+void GlEngine::resize(int width, int height) {
+  if (width == width_ && height == height_) return;
   width_ = width;
   height_ = height;
-  samples_ = samples;
   target_ = make_framebuffer();
   texture_ = make_texture();
   depth_ = make_renderbuffer();
@@ -105,12 +104,17 @@ void GlEngine::resize(int width, int height, int samples) {
   attach(target_, depth_);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.get(), 0);
   multi_target_.reset();
-  if (samples == 1) return;
+}
+
+/// Kept while rough pictures are drawn: they and fine ones follow each other all the time.
+void GlEngine::make_multi_target(int samples) {
+  if (multi_target_.get() != 0 && samples == samples_) return;
+  samples_ = samples;
   multi_target_ = make_framebuffer();
   multi_colour_ = make_renderbuffer();
   multi_depth_ = make_renderbuffer();
-  allocate(multi_colour_, GL_RGBA8, width, height, samples);
-  allocate(multi_depth_, GL_DEPTH_COMPONENT24, width, height, samples);
+  allocate(multi_colour_, GL_RGBA8, width_, height_, samples);
+  allocate(multi_depth_, GL_DEPTH_COMPONENT24, width_, height_, samples);
   attach(multi_target_, multi_depth_);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                             multi_colour_.get());
@@ -263,7 +267,8 @@ void GlEngine::set_states(MeshSlot slot, std::span<const LabelState> states) {
 }
 
 void GlEngine::draw(const Scene& scene, int width, int height, int samples) {
-  resize(width, height, samples);
+  resize(width, height);
+  if (samples > 1) make_multi_target(samples);
   glBindFramebuffer(GL_FRAMEBUFFER, samples > 1 ? multi_target_.get() : target_.get());
   glViewport(0, 0, width, height);
   glDisable(GL_SCISSOR_TEST);

@@ -29,7 +29,8 @@ class GlEngine : public RenderEngine {
  private:
   GlEngine() = default;
   const GpuMesh& mesh(MeshSlot slot) const { return meshes_[static_cast<std::size_t>(slot)]; }
-  void resize(int width, int height, int samples);
+  void resize(int width, int height);
+  void make_multi_target(int samples);
   void resize_ids(int width, int height);
   void draw_backdrop(const Scene& scene) const;
   void draw_item(const Scene& scene, const SceneItem& item) const;
@@ -47,7 +48,8 @@ class GlEngine : public RenderEngine {
   GlFramebuffer target_, multi_target_, id_target_;
   GlTexture texture_, id_texture_;
   GlRenderbuffer depth_, multi_colour_, multi_depth_, id_depth_;
-  int width_ = 0, height_ = 0, samples_ = 0;
+  int width_ = 0, height_ = 0;
+  int samples_ = 0;  ///< of `multi_target_`, when it is there
   int id_width_ = 0, id_height_ = 0;
   bool is_software_ = false;
   float widest_line_ = 1;  ///< that the driver draws, pixels

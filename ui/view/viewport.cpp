@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "ui/actions.h"
 #include "ui/tools/knife.h"
+#include "ui/view/warm_up.h"
 
 namespace hewn {
 namespace {
@@ -20,6 +22,13 @@ Combine combination() {
   if (io.KeyShift && io.KeyCtrl) return Combine::Remove;
   if (io.KeyShift) return Combine::Add;
   return io.KeyCtrl ? Combine::Toggle : Combine::Replace;
+}
+
+/// Framebuffer pixels.
+std::array<int, 2> picture_size(const ViewArea& area) {
+  const ImVec2 ratio = ImGui::GetIO().DisplayFramebufferScale;
+  return {static_cast<int>(std::lround(area.width * ratio.x)),
+          static_cast<int>(std::lround(area.height * ratio.y))};
 }
 
 bool picks_groups(const Scene& scene) {
@@ -146,6 +155,10 @@ void Viewport::sync_states(Ui& ui) {
 }
 
 void Viewport::draw(Ui& ui, const ViewArea& area) {
+  if (std::exchange(is_cold_, false)) {
+    const auto [width, height] = picture_size(area);
+    warm_up(engine_, width, height);
+  }
   sync_meshes(ui);
   if (ui.state.wants_fit && ui.session.document().is_ready()) {
     ui.state.wants_fit = false;
@@ -173,9 +186,7 @@ void Viewport::draw_picture(Ui& ui, const ViewArea& area) {
   const bool can_wait = ui.session.is_busy() && detail_cost_ms_ > kBusyPicture_ms;
   is_rough_ = is_slow() && (!has_settled || can_wait);
   const int samples = is_rough_ ? 1 : 4;
-  const ImVec2 ratio = ImGui::GetIO().DisplayFramebufferScale;
-  const auto width = static_cast<int>(std::lround(area.width * ratio.x));
-  const auto height = static_cast<int>(std::lround(area.height * ratio.y));
+  const auto [width, height] = picture_size(area);
   const ExactSituation situation = exact_situation(ui, scene, has_settled);
   const ExactCost& cost = ui.state.exact_now.cost;
   if (needs_trial(ui.state.exact, situation, cost)) try_exact(ui, scene, width, height);

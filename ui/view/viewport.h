@@ -46,6 +46,7 @@ class Viewport {
   const IdImage& ids(const Scene& scene, const ViewArea& area);
 
   RenderEngine& engine_;
+  bool is_cold_ = true;  ///< no frame yet
   std::shared_ptr<const DisplayMesh> input_;
   std::shared_ptr<const ResultView> result_;
   std::vector<LabelState> states_, literal_states_;
