@@ -292,7 +292,9 @@ class Window {
     if (!options_.record.empty() && session_.log().size() != recorded_) {
       recorded_ = session_.log().size();
       if (auto done = write_file(options_.record, session_.log()); !done) {
-        session_.notify(Severity::Error, done.error().message);
+        session_.notify(Severity::Error,
+                        done.error().message + "; nothing more is recorded in this log");
+        options_.record.clear();
       }
     }
     if (checked_revision_ == session_.revision() &&

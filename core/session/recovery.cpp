@@ -35,6 +35,7 @@ void Autosave::remove() {
   if (!file_.empty()) std::filesystem::remove(file_, ignored);
   file_.clear();
   written_.clear();
+  last_.reset();
 }
 
 Result<void> Autosave::update(const Project& project, bool is_modified, Clock::time_point now) {
@@ -42,16 +43,16 @@ Result<void> Autosave::update(const Project& project, bool is_modified, Clock::t
     remove();
     return {};
   }
-  if (!written_.empty() && now - last_ < kInterval) return {};
+  if (last_ && now - *last_ < kInterval) return {};
   std::error_code ignored;
   std::filesystem::create_directories(folder_, ignored);
   std::string text = project_text(project, folder_);
   if (text == written_) return {};
+  last_ = now;
   const auto path = folder_ / fmt::format("{}{}.json", kPrefix, ::getpid());
   if (auto done = write_file(path, text); !done) return done;
   file_ = path;
   written_ = std::move(text);
-  last_ = now;
   return {};
 }
 

@@ -2,6 +2,7 @@
 /// Copies of unsaved plans, so that a crash loses at most a minute.
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ class Autosave {
   Autosave& operator=(const Autosave&) = delete;
 
   /// Writes the plan when it has changed since the last copy and that is a minute ago; takes the
-  /// copy away when there is nothing unsaved. Fails with: FileWrite.
+  /// copy away when there is nothing unsaved. Fails with: FileWrite; the copy before stays, and the
+  /// next try is a minute later.
   Result<void> update(const Project& project, bool is_modified, Clock::time_point now);
   const std::filesystem::path& file() const { return file_; }
 
@@ -32,7 +34,7 @@ class Autosave {
   std::filesystem::path folder_;
   std::filesystem::path file_;  ///< empty until something is written
   std::string written_;
-  Clock::time_point last_{};
+  std::optional<Clock::time_point> last_;  ///< try
 };
 
 /// Copies left by processes that are no longer there, newest first. Each is a project file.

@@ -8,6 +8,7 @@
 #include "core/session/replay.h"
 #include "core/session/session.h"
 #include "tests/core/session/session_fixture.h"
+#include "tests/support/full_disk.h"
 
 namespace hewn {
 namespace {
@@ -396,14 +397,49 @@ TEST_CASE("an unsaved plan is copied once a minute and the copy goes with the se
   CHECK(next.document().is_ready());
 }
 
+TEST_CASE(
+    "on a full disk the last copy of an unsaved plan stays, and the next minute tries again") {
+  OpenSession open;
+  Session& session = open.session;
+  REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
+  Autosave autosave(open.folder / "state");
+  const auto start = Autosave::Clock::now();
+  const auto& project = session.document().project;
+  REQUIRE(autosave.update(project, true, start));
+  const std::string first = *read_file(autosave.file());
+  REQUIRE(session.execute(RenamePartition{{0}, "bore"}));
+  {
+    const FullDisk disk;
+    const auto done = autosave.update(project, true, start + std::chrono::seconds(60));
+    REQUIRE_FALSE(done);
+    CHECK(done.error().code == ErrorCode::FileWrite);
+    // Told once: no try at every change.
+    CHECK(autosave.update(project, true, start + std::chrono::seconds(61)));
+  }
+  CHECK(*read_file(autosave.file()) == first);
+  REQUIRE(autosave.update(project, true, start + std::chrono::seconds(120)));
+  CHECK(*read_file(autosave.file()) != first);
+}
+
 TEST_CASE("saving and opening a project keeps the plan; a full disk keeps the old file") {
   OpenSession open;
   Session& session = open.session;
   REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
   REQUIRE(session.execute(SaveProject{open.folder / "plate.json"}));
   CHECK_FALSE(session.is_modified());
+  const std::string saved = *read_file(open.folder / "plate.json");
+  REQUIRE(session.execute(RenamePartition{{0}, "bore"}));
+  {
+    const FullDisk disk;
+    const auto done = session.execute(SaveProject{open.folder / "plate.json"});
+    REQUIRE_FALSE(done);
+    CHECK(done.error().code == ErrorCode::FileWrite);
+  }
+  CHECK(*read_file(open.folder / "plate.json") == saved);
+  CHECK(session.is_modified());
   CHECK_FALSE(session.execute(SaveProject{open.folder / "no" / "folder.json"}));
   CHECK(session.project_path() == open.folder / "plate.json");
+  REQUIRE(session.execute(SaveProject{open.folder / "plate.json"}));
   Session second(one_thread());
   second.set_views(false);
   REQUIRE(second.execute(OpenFile{open.folder / "plate.json"}));
