@@ -115,7 +115,8 @@ iou=$(sed -n 's/.*"iou": 0\.\([0-9][0-9]\).*/\1/p' compared.json)
 [ "${iou:-0}" -ge 98 ] || fail "the rendered design shares only 0.$iou with the mesh"
 "$hewn" replay log.txt || fail "the log does not replay"
 cmp tree.scad from-window.scad || fail "the replayed design differs"
-# Steps before the search only: what it finds, and so the colours, may change with the search.
+# When a change of the search gives other trees, or one of the panels other panels: look at the
+# pictures, then run once with HEWN_UPDATE_REFERENCES=1.
 for reference in "$references"/*.png; do
   "$tool" compare "$(basename "$reference")" "$reference" ||
     fail "$(basename "$reference") does not look as it should"

@@ -315,7 +315,7 @@ void Viewport::continue_drag(Ui& ui, const ViewArea& area) {
 }
 
 void Viewport::end_drag(Ui& ui, const ViewArea& area) {
-  if (drag_ == Drag::Pick) click(ui);
+  if (drag_ == Drag::Pick) click(ui, area);
   if (drag_ == Drag::Box) select_box(ui, area);
   if (drag_ == Drag::Lasso) select_lasso(ui, area);
   drag_ = Drag::None;
@@ -324,24 +324,31 @@ void Viewport::end_drag(Ui& ui, const ViewArea& area) {
 
 void Viewport::hover(Ui& ui, const ViewArea& area, bool is_hovered) {
   if (drag_ != Drag::None) return;
-  int label = -1;
-  const ImGuiIO& io = ImGui::GetIO();
-  // A literal that a list points at recolours the mesh; over the part itself the groups count.
-  if (is_hovered) ui.state.hovered_literal = ui.state.hovered_node = -1;
-  const Scene scene = build_scene(ui, area);
-  if (is_hovered && ui.session.document().is_ready()) {
-    // While a slow picture changes, what is under the mouse can wait, unless it is clicked.
-    if (!has_ids(scene) && is_rough_ && !ImGui::IsMouseClicked(0)) return;
-    label =
-        ids(scene, area)
-            .at(static_cast<int>(io.MousePos.x - area.x), static_cast<int>(io.MousePos.y - area.y));
+  if (!is_hovered) {
+    ui.state.hovered = -1;
+    return;
   }
-  const bool groups = picks_groups(scene);
-  ui.state.hovered = groups ? label : -1;
-  if (!groups && is_hovered) ui.state.hovered_literal = label;
+  ui.state.hovered_literal = ui.state.hovered_node = -1;
+  // While a slow picture changes, what is under the mouse can wait.
+  if (is_rough_ && !has_ids(build_scene(ui, area))) return;
+  point_at(ui, area, last_mouse_);
 }
 
-void Viewport::click(Ui& ui) {
+void Viewport::point_at(Ui& ui, const ViewArea& area, const std::array<float, 2>& mouse) {
+  // A literal that a list points at recolours the mesh; over the part itself the groups count.
+  ui.state.hovered_literal = ui.state.hovered_node = -1;
+  const Scene scene = build_scene(ui, area);
+  const int label = ui.session.document().is_ready()
+                        ? ids(scene, area).at(static_cast<int>(mouse[0] - area.x),
+                                              static_cast<int>(mouse[1] - area.y))
+                        : -1;
+  const bool groups = picks_groups(scene);
+  ui.state.hovered = groups ? label : -1;
+  if (!groups) ui.state.hovered_literal = label;
+}
+
+void Viewport::click(Ui& ui, const ViewArea& area) {
+  point_at(ui, area, drag_start_);
   if (ui.state.hovered >= 0) {
     select_groups(ui, {ui.state.hovered}, combination());
   } else if (ui.state.hovered_literal >= 0) {

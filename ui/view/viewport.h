@@ -32,7 +32,8 @@ class Viewport {
   void continue_drag(Ui& ui, const ViewArea& area);
   void end_drag(Ui& ui, const ViewArea& area);
   void hover(Ui& ui, const ViewArea& area, bool is_hovered);
-  void click(Ui& ui);
+  void point_at(Ui& ui, const ViewArea& area, const std::array<float, 2>& mouse);
+  void click(Ui& ui, const ViewArea& area);
   void select_box(Ui& ui, const ViewArea& area);
   void select_lasso(Ui& ui, const ViewArea& area);
   void place_knife(Ui& ui, const ViewArea& area);
