@@ -5,6 +5,7 @@
 
 #include "core/fit/directions.h"
 #include "core/fit/round_values.h"
+#include "core/fit/snap_rule.h"
 
 namespace hewn {
 namespace {
@@ -29,8 +30,7 @@ class PositionSettler {
                   double noise, const RegulariseOptions& options)
       : items_(items),
         directions_(directions),
-        reach_(options.snap_distance * diagonal),
-        noise_(noise),
+        snap_(options, diagonal, noise),
         options_(options) {}
 
   void run() {
@@ -41,11 +41,8 @@ class PositionSettler {
   }
 
  private:
-  double tolerance(double deviation) const {
-    return std::min(options_.round_deviations * deviation + noise_, reach_);
-  }
   double rounded(double value, double deviation) const {
-    return options_.round_values ? round_value(value, tolerance(deviation)) : value;
+    return options_.round_values ? round_value(value, snap_.tolerance(deviation)) : value;
   }
 
   /// Gives the item its cluster's direction and refits the rest.
@@ -81,7 +78,7 @@ class PositionSettler {
         const double distance = (line.point - p).norm();
         const double own = options_.round_deviations * (item.deviation.position + line.deviation);
         // Loosely determined axes may be further off.
-        if (distance < std::clamp(own, reach_, 2 * reach_)) {
+        if (distance < std::clamp(own, snap_.reach, 2 * snap_.reach)) {
           found = &line;
           break;
         }
@@ -112,7 +109,7 @@ class PositionSettler {
       } else {
         s.point = line.point + d * d.dot(s.point);
       }
-      if (shift > noise_) refit_radius(items_[i]);
+      if (shift > snap_.noise) refit_radius(items_[i]);
     }
   }
 
@@ -141,7 +138,7 @@ class PositionSettler {
 
   std::vector<FitItem>& items_;
   const std::vector<Vec3>& directions_;
-  double reach_, noise_;
+  SnapRule snap_;
   const RegulariseOptions& options_;
   std::vector<AxisLine> lines_;
 };
@@ -162,15 +159,13 @@ void settle_positions(std::vector<FitItem>& items, const std::vector<Vec3>& dire
 void settle_radii(std::vector<FitItem>& items, double diagonal, double noise,
                   const RegulariseOptions& options) {
   std::vector<Size> sizes;
-  const auto tolerance = [&](double deviation) {
-    return std::min(options.round_deviations * deviation + noise, options.snap_distance * diagonal);
-  };
+  const SnapRule snap(options, diagonal, noise);
   for (FitItem& item : items) {
     Surface& s = item.surface;
     if (s.kind == SurfaceKind::Plane || s.kind == SurfaceKind::Cone) continue;
-    sizes.push_back({&s.radius, tolerance(item.deviation.radius)});
+    sizes.push_back({&s.radius, snap.tolerance(item.deviation.radius)});
     if (s.kind == SurfaceKind::Torus) {
-      sizes.push_back({&s.major_radius, tolerance(item.deviation.major_radius)});
+      sizes.push_back({&s.major_radius, snap.tolerance(item.deviation.major_radius)});
     }
   }
   std::stable_sort(sizes.begin(), sizes.end(),

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/fit/round_values.h"
+#include "core/fit/snap_rule.h"
 
 namespace hewn {
 namespace {
@@ -17,11 +18,7 @@ class ConeSettler {
  public:
   ConeSettler(FitItem& item, const std::vector<FitItem>& items, double diagonal, double noise,
               const RegulariseOptions& options)
-      : item_(item),
-        cone_(item.surface),
-        options_(options),
-        noise_(noise),
-        reach_(options.snap_distance * diagonal) {
+      : item_(item), cone_(item.surface), options_(options), snap_(options, diagonal, noise) {
     find_caps(items);
   }
 
@@ -40,8 +37,7 @@ class ConeSettler {
 
   /// What a distance from the surface may be off by, as far as the points can tell.
   double tolerance() const {
-    const double mean = item_.sigma / std::sqrt(static_cast<double>(item_.points.size()));
-    return std::min(options_.round_deviations * mean + noise_, reach_);
+    return snap_.tolerance(item_.sigma / std::sqrt(static_cast<double>(item_.points.size())));
   }
 
   /// The heights along the axis of the planes across it in which the cone begins and ends.
@@ -58,7 +54,7 @@ class ConeSettler {
         const Surface& s = other.surface;
         if (s.kind != SurfaceKind::Plane || s.axis.cross(cone_.axis).norm() > kAcross) continue;
         const double height = s.axis.dot(cone_.axis) < 0 ? -s.offset : s.offset;
-        if (std::abs(height - end) > (nearest ? std::abs(*nearest - end) : reach_)) continue;
+        if (std::abs(height - end) > (nearest ? std::abs(*nearest - end) : snap_.reach)) continue;
         nearest = height;
       }
       if (nearest) caps_.push_back(*nearest);
@@ -67,7 +63,7 @@ class ConeSettler {
 
   bool settle_both_radii() {
     const double length = caps_[1] - caps_[0];
-    if (!(length > reach_)) return false;
+    if (!(length > snap_.reach)) return false;
     const double most = kAtEnds * tolerance() / std::cos(cone_.half_angle_rad);
     const RoundValue small = find_round_value(radius_at(caps_[0]), most);
     const RoundValue large = find_round_value(radius_at(caps_[1]), most);
@@ -79,7 +75,7 @@ class ConeSettler {
   }
 
   void settle_angle() {
-    const double turn = reach_ / std::max(item_.extent, 1e-300);
+    const double turn = snap_.reach / std::max(item_.extent, 1e-300);
     const double most = std::min(options_.round_deviations * item_.deviation.half_angle_rad, turn);
     const double angle = round_angle(cone_.half_angle_rad, most);
     if (angle == cone_.half_angle_rad) return;
@@ -113,7 +109,7 @@ class ConeSettler {
   FitItem& item_;
   Surface& cone_;
   const RegulariseOptions& options_;
-  double noise_, reach_;
+  SnapRule snap_;
   std::vector<double> caps_;  ///< ascending
 };
 

@@ -10,6 +10,7 @@
 
 #include "core/base/file.h"
 #include "core/csg/prism.h"
+#include "core/io/point_json.h"
 #include "core/mesh/query.h"
 
 namespace hewn {
@@ -36,12 +37,10 @@ const char* name_of(Op op) {
   return "literal";
 }
 
-Json to_json(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
-
 void put_shape(const Literal& s, Json& out) {
   switch (s.kind) {
     case SolidKind::Box:
-      out["size"] = to_json(s.size);
+      out["size"] = point_json<Json>(s.size);
       break;
     case SolidKind::Cylinder:
       out["height"] = s.height;
@@ -63,7 +62,7 @@ void put_shape(const Literal& s, Json& out) {
       Json vertices = Json::array();
       Json triangles = Json::array();
       if (s.polyhedron) {
-        for (const Vec3& v : s.polyhedron->vertices) vertices.push_back(to_json(v));
+        for (const Vec3& v : s.polyhedron->vertices) vertices.push_back(point_json<Json>(v));
         for (const Triangle& t : s.polyhedron->triangles) triangles.push_back(t);
       }
       out["vertices"] = std::move(vertices);
@@ -79,7 +78,7 @@ Json to_json(const Literal& s) {
   Json rotation = Json::array();
   for (int i = 0; i < 9; ++i) rotation.push_back(s.rotation(i / 3, i % 3));
   out["rotation"] = std::move(rotation);
-  out["origin"] = to_json(s.origin);
+  out["origin"] = point_json<Json>(s.origin);
   if (s.stretch) {
     Json stretch = Json::array();
     for (int i = 0; i < 9; ++i) stretch.push_back(s.stretch->matrix(i / 3, i % 3));

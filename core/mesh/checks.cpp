@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/counted.h"
 #include "core/mesh/edge_use.h"
 #include "core/mesh/index_groups.h"
 #include "core/mesh/repair.h"
@@ -39,15 +40,15 @@ void check_topology(const Soup& soup, MeshReport& report) {
   report.boundary_edges = static_cast<int>(boundary.size());
   report.holes = count_loops(boundary, soup.vertices.size());
   if (report.boundary_edges > 0) {
-    report.warnings.push_back(
-        fmt::format("The surface is open: {} boundary edges around {} holes; what lies inside is "
-                    "decided by the majority of rays.",
-                    report.boundary_edges, report.holes));
+    report.warnings.push_back(fmt::format(
+        "The surface is open: {} around {}; what lies inside is decided by the majority "
+        "of rays.",
+        counted(report.boundary_edges, "boundary edge", "boundary edges"),
+        counted(report.holes, "hole", "holes")));
   }
   if (report.non_manifold_edges > 0) {
-    report.warnings.push_back(
-        fmt::format("{} edges have more than two triangles: solids touch there, or sheets end.",
-                    report.non_manifold_edges));
+    report.warnings.push_back(counted(report.non_manifold_edges, "edge has", "edges have") +
+                              " more than two triangles: solids touch there, or sheets end.");
   }
   if (report.components > 1) {
     report.warnings.push_back(fmt::format("The mesh has {} separate parts.", report.components));

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/counted.h"
 #include "core/mesh/edge_use.h"
 #include "core/mesh/query.h"
 #include "core/mesh/repair.h"
@@ -215,15 +216,16 @@ Result<void> orient_triangles(Soup& soup, MeshReport& report, const RunContext& 
   if (run.is_cancelled()) return RunContext::cancelled();
   report.triangles_flipped = agree_within_patches(soup, patches);
   if (report.triangles_flipped > 0) {
-    report.warnings.push_back(fmt::format(
-        "{} triangles were turned to agree with their neighbours.", report.triangles_flipped));
+    report.warnings.push_back(counted(report.triangles_flipped,
+                                      "triangle was turned to agree with its neighbours.",
+                                      "triangles were turned to agree with their neighbours."));
   }
   const auto one_sided =
       std::count(patches.is_orientable.begin(), patches.is_orientable.end(), char{0});
   if (one_sided > 0) {
-    report.warnings.push_back(fmt::format(
-        "{} parts of the surface are one-sided (like a Moebius strip) and have no inside.",
-        one_sided));
+    report.warnings.push_back(counted(
+        one_sided, "part of the surface is one-sided (like a Moebius strip) and has no inside.",
+        "parts of the surface are one-sided (like a Moebius strip) and have no inside."));
   }
   const std::vector<double> volumes = patch_volumes(soup, patches);
   const std::vector<char> is_closed = find_closed_patches(soup, patches);
@@ -247,13 +249,13 @@ Result<void> orient_triangles(Soup& soup, MeshReport& report, const RunContext& 
   flip_patches(soup, patches, is_turned);
   report.was_inside_out = outer_flips > 0;
   if (outer_flips > 0) {
-    report.warnings.push_back(fmt::format("{} of {} shells were inside out and have been turned.",
-                                          outer_flips, patches.count()));
+    report.warnings.push_back(fmt::format("{} of {} inside out and turned.", outer_flips,
+                                          counted(patches.count(), "shell was", "shells were")));
   }
   if (cavity_flips > 0) {
     report.warnings.push_back(
-        fmt::format("{} shells inside other shells were turned inward: they are taken as cavities.",
-                    cavity_flips));
+        counted(cavity_flips, "shell inside another was turned inward: it is taken as a cavity.",
+                "shells inside others were turned inward: they are taken as cavities."));
   }
   return {};
 }

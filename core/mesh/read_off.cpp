@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/counted.h"
 #include "core/mesh/raw_mesh.h"
 #include "core/mesh/text_scanner.h"
 
@@ -20,8 +21,9 @@ class OffReader {
     if (auto ok = read_vertices(); !ok) return ok.error();
     if (auto ok = read_faces(); !ok) return ok.error();
     if (skipped_ > 0) {
-      mesh_.warnings.push_back(
-          fmt::format("{} faces with fewer than 3 corners were left out.", skipped_));
+      mesh_.warnings.push_back(counted(skipped_, "face with fewer than 3 corners was",
+                                       "faces with fewer than 3 corners were") +
+                               " left out.");
     }
     return std::move(mesh_);
   }

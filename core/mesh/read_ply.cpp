@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/counted.h"
 #include "core/mesh/raw_mesh.h"
 #include "core/mesh/text_scanner.h"
 
@@ -102,8 +103,9 @@ class PlyReader {
       if (auto ok = read_element(element); !ok) return ok.error();
     }
     if (skipped_ > 0) {
-      mesh_.warnings.push_back(
-          fmt::format("{} faces with fewer than 3 corners were left out.", skipped_));
+      mesh_.warnings.push_back(counted(skipped_, "face with fewer than 3 corners was",
+                                       "faces with fewer than 3 corners were") +
+                               " left out.");
     }
     return std::move(mesh_);
   }

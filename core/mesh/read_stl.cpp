@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/counted.h"
 #include "core/mesh/raw_mesh.h"
 #include "core/mesh/text_scanner.h"
 
@@ -76,8 +77,8 @@ Result<RawMesh> read_stl_binary(const ReadInput& input) {
     mesh.triangles.push_back({first, first + 1, first + 2});
   }
   if (content.size() > wanted) {
-    mesh.warnings.push_back(
-        fmt::format("{} bytes after the last triangle were ignored.", content.size() - wanted));
+    mesh.warnings.push_back(counted(content.size() - wanted, "byte", "bytes") +
+                            " after the last triangle: ignored.");
   }
   return mesh;
 }

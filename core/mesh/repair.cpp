@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/counted.h"
 #include "core/mesh/raw_mesh.h"
 
 namespace hewn {
@@ -64,11 +65,13 @@ Result<void> clean(Soup& soup, const MeshLoadOptions& options, MeshReport& repor
   if (soup.triangles.empty()) return nothing_left(report);
   if (report.zero_area_removed > 0) {
     report.warnings.push_back(
-        fmt::format("{} zero-area triangles were removed.", report.zero_area_removed));
+        counted(report.zero_area_removed, "zero-area triangle was", "zero-area triangles were") +
+        " removed.");
   }
   if (report.duplicates_removed > 0) {
     report.warnings.push_back(
-        fmt::format("{} duplicate triangles were removed.", report.duplicates_removed));
+        counted(report.duplicates_removed, "duplicate triangle was", "duplicate triangles were") +
+        " removed.");
   }
   return {};
 }
@@ -110,9 +113,9 @@ Result<LoadedMesh> repair_mesh(std::vector<Vec3> vertices, std::vector<Triangle>
   loaded.report.self_intersections = *crossings;
   if (*crossings > 0) {
     loaded.report.warnings.push_back(
-        fmt::format("{}{} pairs of triangles cross each other: what any of the solids holds is "
-                    "taken as inside.",
-                    *crossings >= kSelfIntersectionLimit ? "At least " : "", *crossings));
+        fmt::format("{}{} each other: what any of the solids holds is taken as inside.",
+                    *crossings >= kSelfIntersectionLimit ? "At least " : "",
+                    counted(*crossings, "pair of triangles crosses", "pairs of triangles cross")));
   }
   run.report("repairing", 1);
   return loaded;

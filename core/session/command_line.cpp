@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/io/point_json.h"
 #include "core/session/command.h"
 
 namespace hewn {
@@ -12,8 +13,6 @@ using Json = nlohmann::json;
 struct BadCommand {
   Error error;
 };
-
-Json point_json(const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); }
 
 Vec3 read_point(const Json& value) {
   return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>()};

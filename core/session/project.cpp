@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
+#include "core/io/point_json.h"
 
 namespace hewn {
 namespace {
@@ -199,8 +200,6 @@ Project read_project(const Json& root, const std::filesystem::path& folder) {
   if (count_rest(project.root) > 1) fail("partition", "only one partition can take the \"rest\"");
   return project;
 }
-
-Json point_json(const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); }
 
 Json partition_json(const PartitionPlan& plan) {
   Json object = {{"name", plan.name}, {"op", name_of(plan.op)}};

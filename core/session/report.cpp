@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/io/point_json.h"
+
 namespace hewn {
 namespace {
 
 using Json = nlohmann::json;
-
-Json point_json(const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); }
 
 Json partition_json(const PartitionResult& partition) {
   return {{"name", partition.name},

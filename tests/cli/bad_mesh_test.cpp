@@ -61,7 +61,7 @@ TEST_CASE("a shell inside another is a hollow, whichever way it looks") {
   for (const bool looks_outward : {false, true}) {
     CAPTURE(looks_outward);
     const Rebuilt hollow = rebuilt(outer + (looks_outward ? inner : inner.flipped()));
-    CHECK(hollow.outcome.says("taken as cavities") == looks_outward);
+    CHECK(hollow.outcome.says("taken as a cavity") == looks_outward);
     CHECK(hollow.literals() == 2);
     CHECK(hollow.iou() > 0.999);
   }
@@ -77,7 +77,7 @@ TEST_CASE("solids that cross each other become their union, with a warning") {
 
 TEST_CASE("solids that touch in an edge, a corner or a side") {
   const Rebuilt edge = rebuilt(cube_mesh(10) + cube_mesh(10, {10, 10, 0}));
-  CHECK_MESSAGE(edge.outcome.says("1 edges have more than two triangles"), edge.outcome.err);
+  CHECK_MESSAGE(edge.outcome.says("1 edge has more than two triangles"), edge.outcome.err);
   CHECK(edge.input().at("non_manifold_edges") == 1);
   CHECK(edge.literals() == 2);
   CHECK(edge.iou() > 0.999);
