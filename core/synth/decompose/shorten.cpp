@@ -6,11 +6,16 @@
 #include "core/base/rng.h"
 #include "core/csg/flat_end.h"
 #include "core/csg/tree_inside.h"
+#include "core/csg/tree_ray.h"
+#include "core/mesh/sampling.h"
 
 namespace hewn {
 namespace {
 
-constexpr int kPoints = 64;  ///< of each literal in what is given up
+constexpr int kPoints = 64;   ///< of each literal in what is given up
+constexpr int kLines = 4000;  ///< through the whole tree, in the end
+/// Stretches of a line shorter than this share of the tree are rounding.
+constexpr double kRounding = 1e-6;
 
 /// Marks the literals that add to the solid.
 void find_united(const Tree& tree, int index, bool is_united, std::vector<char>& united) {
@@ -22,9 +27,38 @@ void find_united(const Tree& tree, int index, bool is_united, std::vector<char>&
   }
 }
 
+using Stretches = std::vector<TreeInterval>;
+
+/// Calls `visit(t)` in the middle of what `now` has beyond `then`, unless it is as short as
+/// rounding.
+template <class Visit>
+void visit_gained(const Stretches& now, const Stretches& then, double rounding,
+                  const Visit& visit) {
+  std::size_t first = 0;
+  for (const TreeInterval& s : now) {
+    double from = s.enter.t;
+    while (first < then.size() && then[first].leave.t <= from) ++first;
+    for (std::size_t k = first; from < s.leave.t; ++k) {
+      const bool is_last = k == then.size();
+      const double to = is_last ? s.leave.t : std::min(then[k].enter.t, s.leave.t);
+      if (to - from > rounding) visit((from + to) / 2);
+      from = is_last ? s.leave.t : std::max(from, then[k].leave.t);
+    }
+  }
+}
+
+bool is_empty(const LocalBox& box) { return (box.lo.array() >= box.hi.array()).any(); }
+
+Vec3 draw_point(const LocalBox& box, Rng& rng) {
+  Vec3 p;
+  for (int c = 0; c < 3; ++c) p[c] = rng.uniform(box.lo[c], box.hi[c]);
+  return p;
+}
+
 class Shortener {
  public:
-  explicit Shortener(Tree& tree) : tree_(tree), before_(tree), united_(tree.literals.size(), 0) {
+  explicit Shortener(Tree& tree)
+      : tree_(tree), longest_(tree), before_(tree), united_(tree.literals.size(), 0) {
     find_united(tree, tree.root, true, united_);
   }
 
@@ -42,7 +76,37 @@ class Shortener {
     }
   }
 
+  /// What is left of a large literal may be a sheet or a chip that no point was in, but lines meet.
+  void restore_where_lines_meet_more() {
+    if (!std::isfinite(tree_.bounds().diagonal())) return;
+    const TreeRays rays(tree_);
+    const TreeRays rays_before(longest_);
+    const Box3 box = tree_.bounds();
+    std::vector<Vec3> missed;
+    TreeRayScratch scratch;
+    TreeRayScratch scratch_before;
+    Rng rng(0x11E5);
+    for (int i = 0; i < kLines; ++i) {
+      const Line line = draw_line(box.center(), box.diagonal() / 2, rng);
+      const auto keep = [&](double t) { missed.emplace_back(line.origin + t * line.direction); };
+      visit_gained(rays.cast(line.origin, line.direction, scratch),
+                   rays_before.cast(line.origin, line.direction, scratch_before),
+                   kRounding * box.diagonal(), keep);
+    }
+    for (const Vec3& p : missed) restore_at(p);
+  }
+
  private:
+  /// Makes those literals long again that gave up the point.
+  void restore_at(const Vec3& p) {
+    for (std::size_t k = 0; k < tree_.literals.size(); ++k) {
+      const Literal& longest = longest_.literals[k];
+      const bool gave_up =
+          longest.signed_distance(p) < 0 && tree_.literals[k].signed_distance(p) >= 0;
+      if (gave_up) tree_.literals[k] = longest;
+    }
+  }
+
   /// Whether some of what the literal gave up has become part of the solid.
   bool is_missed(const Literal& literal, FlatEnd end, double amount) const {
     const LocalBox given_up = beyond_end(literal, end, amount, 0);
@@ -54,11 +118,9 @@ class Shortener {
       LocalBox shared = local_bounds_of(tree_.literals[k], literal);
       shared.lo = shared.lo.cwiseMax(given_up.lo);
       shared.hi = shared.hi.cwiseMin(given_up.hi);
-      if ((shared.lo.array() >= shared.hi.array()).any()) continue;
+      if (is_empty(shared)) continue;
       for (int i = 0; i < kPoints; ++i) {
-        Vec3 local;
-        for (int c = 0; c < 3; ++c) local[c] = rng.uniform(shared.lo[c], shared.hi[c]);
-        const Vec3 p = literal.to_world(local);
+        const Vec3 p = literal.to_world(draw_point(shared, rng));
         if (literal.signed_distance(p) >= 0) continue;
         if (inside.contains(p) && !inside_before.contains(p)) return true;
       }
@@ -82,6 +144,7 @@ class Shortener {
   }
 
   Tree& tree_;
+  const Tree longest_;
   Tree before_;  ///< the last end's move
   std::vector<char> united_;
 };
@@ -92,6 +155,7 @@ void shorten_tools(Tree& tree, const std::vector<Shortening>& wanted) {
   if (tree.is_empty()) return;
   Shortener shortener(tree);
   for (const Shortening& s : wanted) shortener.shorten(s);
+  if (!wanted.empty()) shortener.restore_where_lines_meet_more();
 }
 
 }  // namespace hewn

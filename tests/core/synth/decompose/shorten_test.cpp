@@ -33,6 +33,18 @@ TEST_CASE("a tool ends behind the last thing that it cuts") {
   CHECK(with_rib.literals[2].size.y() == 21);
 }
 
+TEST_CASE("a sheet that is left of a block keeps its hole") {
+  Tree tree;
+  const int wall = tree.add_literal(box({0, 0, 0}, {10, 1, 5}));
+  const int block = tree.add_literal(box({0, 10, 0}, {10, 20, 5}));
+  const int most_of_it = tree.add_literal(box({-1, 10.002, -1}, {11, 21, 6}));
+  const int slot = tree.add_literal(box({4.5, -1, 2}, {5.5, 25, 3}));
+  const int sheet = tree.add_node(Op::Difference, {block, most_of_it});
+  tree.root = tree.add_node(Op::Difference, {tree.add_node(Op::Union, {wall, sheet}), slot});
+  shorten_tools(tree, {{slot, box({4.5, -1, 2}, {5.5, 2, 3})}});
+  CHECK(tree.literals[static_cast<std::size_t>(slot)].size.y() == 26);
+}
+
 TEST_CASE("ends move one by one, and what is united again afterwards does not count") {
   Tree tree = slotted_wall(8);
   const int again = tree.add_literal(box({4, 8, 0}, {6, 9, 5}));
