@@ -325,6 +325,7 @@ class TreeSearch {
     options.is_tool = problem_.is_subtracted;
     options.clip = clip && !options.is_tool;
     options.shortens_tools = shortens_tools;
+    options.threads = run_.threads;
     return lower_list(list, surfaces_, problem_.query->mesh(), triangles_, space_.frame, options);
   }
 

@@ -90,7 +90,7 @@ class Lowering {
     if (options_.clip && tree_.root >= 0) {
       tree_.root = tree_.add_node(Op::Intersection, {tree_.root, add(frame_box())});
     }
-    shorten_tools(tree_, shorter_);
+    shorten_tools(tree_, shorter_, options_.threads);
     return flattened(tree_);
   }
 

@@ -14,6 +14,7 @@ struct LoweringOptions {
   /// Tools end a little behind the end of their work (`Term::work_ends`) where that is safe, and
   /// what is taken out of a term a little outside of the rest of it.
   bool shortens_tools = false;
+  int threads = 1;  ///< for shortening; 0: one per core
 };
 
 /// Lowers `list` to a tree. United primitives end at the geometry's extents where no literal bounds

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/rng.h"
+#include "core/compute/parallel.h"
 #include "core/csg/flat_end.h"
 #include "core/csg/tree_inside.h"
 #include "core/csg/tree_ray.h"
@@ -13,7 +14,8 @@ namespace hewn {
 namespace {
 
 constexpr int kPoints = 64;   ///< of each literal in what is given up
-constexpr int kLines = 4000;  ///< through the whole tree, in the end
+constexpr int kLines = 3072;  ///< through the whole tree, in the end
+constexpr int kLinesPerChunk = 128;
 /// Stretches of a line shorter than this share of the tree are rounding.
 constexpr double kRounding = 1e-6;
 
@@ -77,23 +79,28 @@ class Shortener {
   }
 
   /// What is left of a large literal may be a sheet or a chip that no point was in, but lines meet.
-  void restore_where_lines_meet_more() {
+  void restore_where_lines_meet_more(int threads) {
     if (!std::isfinite(tree_.bounds().diagonal())) return;
     const TreeRays rays(tree_);
     const TreeRays rays_before(longest_);
     const Box3 box = tree_.bounds();
-    std::vector<Vec3> missed;
-    TreeRayScratch scratch;
-    TreeRayScratch scratch_before;
-    Rng rng(0x11E5);
-    for (int i = 0; i < kLines; ++i) {
-      const Line line = draw_line(box.center(), box.diagonal() / 2, rng);
-      const auto keep = [&](double t) { missed.emplace_back(line.origin + t * line.direction); };
-      visit_gained(rays.cast(line.origin, line.direction, scratch),
-                   rays_before.cast(line.origin, line.direction, scratch_before),
-                   kRounding * box.diagonal(), keep);
+    std::vector<std::vector<Vec3>> missed(kLines / kLinesPerChunk);
+    for_each_index(threads, missed.size(), [&](std::size_t chunk) {
+      TreeRayScratch scratch;
+      TreeRayScratch scratch_before;
+      Rng rng(0x11E5, chunk);
+      for (int i = 0; i < kLinesPerChunk; ++i) {
+        const Line line = draw_line(box.center(), box.diagonal() / 2, rng);
+        visit_gained(rays.cast(line.origin, line.direction, scratch),
+                     rays_before.cast(line.origin, line.direction, scratch_before),
+                     kRounding * box.diagonal(), [&](double t) {
+                       missed[chunk].emplace_back(line.origin + t * line.direction);
+                     });
+      }
+    });
+    for (const auto& points : missed) {
+      for (const Vec3& p : points) restore_at(p);
     }
-    for (const Vec3& p : missed) restore_at(p);
   }
 
  private:
@@ -151,11 +158,11 @@ class Shortener {
 
 }  // namespace
 
-void shorten_tools(Tree& tree, const std::vector<Shortening>& wanted) {
+void shorten_tools(Tree& tree, const std::vector<Shortening>& wanted, int threads) {
   if (tree.is_empty()) return;
   Shortener shortener(tree);
   for (const Shortening& s : wanted) shortener.shorten(s);
-  if (!wanted.empty()) shortener.restore_where_lines_meet_more();
+  if (!wanted.empty()) shortener.restore_where_lines_meet_more(threads);
 }
 
 }  // namespace hewn

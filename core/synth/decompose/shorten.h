@@ -14,9 +14,9 @@ struct Shortening {
 
 /// Moves ends in, one by one, wherever the tree's solid stays: on random points of all that is
 /// united in what the literal gives up, and in the end on lines through the tree. Same result on
-/// every run.
+/// every run, with any number of threads.
 /// Cost: O(ends x literals) values of the tree at some dozens of points and on some thousands of
 /// lines.
-void shorten_tools(Tree& tree, const std::vector<Shortening>& wanted);
+void shorten_tools(Tree& tree, const std::vector<Shortening>& wanted, int threads = 1);
 
 }  // namespace hewn
