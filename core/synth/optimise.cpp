@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -13,7 +12,7 @@
 #include "core/csg/protrude.h"
 #include "core/csg/tree_inside.h"
 #include "core/csg/tree_ray.h"
-#include "core/sample/thin_cells.h"
+#include "core/synth/free_cells.h"
 #include "core/synth/rebuild/boundary.h"
 #include "core/synth/rebuild/second_start.h"
 #include "core/synth/simplify/derived_literals.h"
@@ -98,7 +97,8 @@ class Optimiser {
         run_(run),
         literal_of_(set_.add(tree)),
         lines_(lines_for(options.arrangement, set_.literals().size())),
-        sampler_(set_.literals(), scale_of(tree)) {}
+        sampler_(set_.literals(), scale_of(tree)),
+        free_(tree) {}
 
   Result<OptimiseResult> work() {
     {
@@ -134,6 +134,8 @@ class Optimiser {
   }
 
  private:
+  /// Points nearer to the surface than this are free; model units.
+  double depth() const { return options_.tolerance * sampler_.arrangement().scale / 2; }
   Formula input_formula() const { return formula_of(input_, literal_of_); }
 
   Result<void> find_cells() {
@@ -158,7 +160,7 @@ class Optimiser {
     if (!options_.rebuilds || options_.method != OptimiseMethod::Rewrite) return;
     StageTimer timer(out_.seconds, "rebuild");
     const Arrangement& a = sampler_.arrangement();
-    second_.emplace(input_, a.points, a.scale, options_.tolerance * a.scale / 2, run_);
+    second_.emplace(input_, a.points, a.scale, depth(), run_);
     least_literals_ = second_->least_literals();
     if (is_hardly_larger_than_needed()) second_.reset();
   }
@@ -181,7 +183,7 @@ class Optimiser {
       rebuilt_literal_of_ = std::move((*found)->literal_of);
       set_ = std::move((*found)->set);
       sampler_ = std::move((*found)->sampler);
-      forget_depths();
+      free_.renumber(sampler_);
     }
     return {};
   }
@@ -199,23 +201,9 @@ class Optimiser {
   /// Of every cell its point, and one that lies deep where that is another one.
   std::vector<Vec3> known_points() const {
     std::vector<Vec3> points = sampler_.arrangement().points;
-    for (const CellDepth& d : depths_) {
-      if (!d.is_thin) points.push_back(d.point);
-    }
+    const std::vector<Vec3> deep = free_.deep_points();
+    points.insert(points.end(), deep.begin(), deep.end());
     return points;
-  }
-
-  /// After a change of the cells' numbers.
-  void forget_depths() {
-    depths_.clear();
-    is_thick_.clear();
-    for (const Vec3& p : thick_points_) mark_thick(p);
-  }
-
-  /// A cell taken for thin in which a point lies deep after all.
-  void mark_thick(const Vec3& p) {
-    const std::size_t c = sampler_.cell_of(p);
-    if (c < sampler_.arrangement().size()) is_thick_[c] = p;
   }
 
   /// Whether the solid's surfaces ask for nearly as many literals as there are without redundancy.
@@ -267,14 +255,7 @@ class Optimiser {
     Column care = cells.all();
     if (options_.tolerance <= 0) return care;
     StageTimer timer(out_.seconds, "thin");
-    const Arrangement& a = sampler_.arrangement();
-    const double depth = options_.tolerance * a.scale / 2;
-    const auto more = find_thin_cells(input_, a, depths_.size(), depth, run_);
-    depths_.insert(depths_.end(), more.begin(), more.end());
-    for (const auto& [cell, point] : is_thick_) depths_[cell] = {false, point};
-    for (std::size_t c = 0; c < depths_.size(); ++c) {
-      if (depths_[c].is_thin) care[c / 64] &= ~(Word{1} << (c % 64));
-    }
+    free_.remove_from(care, sampler_, depth(), run_);
     return care;
   }
 
@@ -366,10 +347,7 @@ class Optimiser {
       if (!same || *same) return same;
     }
     sampler_.add(out_.equivalence.examples, run_);
-    for (const Vec3& p : out_.equivalence.examples) {
-      thick_points_.push_back(p);
-      mark_thick(p);
-    }
+    for (const Vec3& p : out_.equivalence.examples) free_.hold(p, sampler_);
     return false;
   }
 
@@ -378,7 +356,7 @@ class Optimiser {
     EquivalenceOptions options = options_.equivalence;
     options.stream = static_cast<std::uint64_t>(round) + 1;
     options.scale = sampler_.arrangement().scale;
-    options.allowed_distance = options_.tolerance * sampler_.arrangement().scale / 2;
+    options.allowed_distance = depth();
     auto compared = compare_trees(input_, tree, options, run_);
     if (!compared) return compared.error();
     out_.equivalence = std::move(*compared);
@@ -406,10 +384,9 @@ class Optimiser {
     if (!sampler.sample(lines, run_)) return false;
     const TreeInside other(proved_.tree);
     const TreeRays rays(input_);
-    const double depth = options_.tolerance * sampler_.arrangement().scale / 2;
     const auto& points = sampler.arrangement().points;
     return std::none_of(points.begin(), points.end(), [&](const Vec3& p) {
-      return inside.contains(p) != other.contains(p) && !is_free(rays, p, depth);
+      return inside.contains(p) != other.contains(p) && !is_free(rays, p, depth());
     });
   }
 
@@ -461,7 +438,7 @@ class Optimiser {
     for (std::size_t w = 0; w < changed.size(); ++w) changed[w] &= wanted.value[w] ^ value.value[w];
     out_.thin_features = thin_features(input_, sampler_.arrangement(), wanted.value, changed);
     for (const ThinFeature& f : out_.thin_features) out_.changed_cells += f.cells;
-    for (const CellDepth& d : depths_) out_.tolerated_cells += d.is_thin ? 1 : 0;
+    out_.tolerated_cells = free_.count();
     if (options_.wants_front && !found.is_constant()) {
       if (auto done = find_front(found, cells); !done) return done.error();
     }
@@ -518,9 +495,7 @@ class Optimiser {
     Equivalence equivalence;
   };
   std::optional<Proved> fallback_;  ///< smaller, but with a lower proximity than the input
-  std::vector<Vec3> thick_points_;
-  std::map<std::size_t, Vec3> is_thick_;  ///< cells with such a point
-  std::vector<CellDepth> depths_;         ///< by cell, as far as looked at
+  FreeCells free_;
   OptimiseResult out_;
 };
 
