@@ -60,5 +60,45 @@ TEST_CASE("no literal of a grown term can be left out") {
   }
 }
 
+TEST_CASE("what terms share does not change them: in a batch as alone, with any threads") {
+  const SearchFixture f(solids::plate_with_hole({10, 8, 2}, 2, 24));
+  std::vector<Word> open = f.space.care;
+  std::vector<Word> required = f.space.care;
+  Rng rng(4);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    open[i] &= rng.next() | rng.next();
+    required[i] = open[i] & rng.next();
+  }
+  std::vector<GrowRequest> requests(60);
+  for (std::size_t k = 0; k < requests.size(); ++k) {
+    GrowRequest& r = requests[k];
+    r.seed = rng.below(f.columns.cells());
+    r.fills = test_bit(f.columns.wanted().data(), r.seed);
+    r.gains_required = rng.coin();
+    r.mode = static_cast<GrowMode>(k % 4);
+    r.noise = 0.1 * static_cast<double>(k % 3);
+    r.random = rng.next();
+  }
+  for (const int threads : {1, 2}) {
+    RunContext run;
+    run.threads = threads;
+    GrowerTeam team(f.columns, f.combinability, run);
+    const auto batch = team.grow(requests, open, &required);
+    CHECK(team.terms_grown() == static_cast<long>(requests.size()));
+    int grown = 0;
+    for (std::size_t k = 0; k < requests.size(); ++k) {
+      TermGrower alone(f.columns, f.combinability);
+      alone.set_open(open, &required);
+      const auto term = alone.grow(requests[k]);
+      REQUIRE(term.has_value() == batch[k].has_value());
+      if (!term) continue;
+      ++grown;
+      CHECK(term->literals == batch[k]->literals);
+      CHECK(term->cover == batch[k]->cover);
+    }
+    CHECK(grown > 20);
+  }
+}
+
 }  // namespace
 }  // namespace hewn
