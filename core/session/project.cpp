@@ -1,5 +1,6 @@
 #include "core/session/project.h"
 
+#include <cmath>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -76,13 +77,16 @@ CutStep read_cut(const Json& value, const std::string& where) {
   CutStep cut;
   if (!value.contains("normal")) fail(where, "a cut needs \"normal\"");
   const Vec3 normal = read_point(value["normal"], where + ".normal");
-  if (!(normal.norm() > 0)) fail(where + ".normal", "the normal must not be zero");
-  cut.normal = normal.normalized();
+  double length = normal.norm();
+  if (!(length > 0)) fail(where + ".normal", "the normal must not be zero");
+  // A plan that was written reads back to the same bits: results are found again by its text.
+  if (std::abs(length - 1) < 1e-12) length = 1;
+  cut.normal = normal / length;
   if (value.contains("offset") == value.contains("point")) {
     fail(where, "a cut needs either \"offset\" or \"point\"");
   }
   cut.offset = value.contains("offset")
-                   ? read_number(value["offset"], where + ".offset") / normal.norm()
+                   ? read_number(value["offset"], where + ".offset") / length
                    : cut.normal.dot(read_point(value["point"], where + ".point"));
   if (value.contains("groups")) cut.groups = read_groups(value["groups"], where + ".groups");
   return cut;

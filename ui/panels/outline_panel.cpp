@@ -1,3 +1,4 @@
+#include <cmath>
 #include <string>
 
 #include "core/session/describe.h"
@@ -28,8 +29,11 @@ void draw_row(const Ui& ui, const Tree& tree, int index, const Place& place) {
   const float sign = ImGui::CalcTextSize(place.is_first ? "" : op_sign(place.op)).x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() - (place.is_first ? 1 : sign) + ui.px(14));
   if (node.op == Op::Literal) {
+    const float y = ImGui::GetCursorPosY();
+    ImGui::SetCursorPosY(y + ImGui::GetStyle().FramePadding.y);  // as the texts are
     dot(ui, to_colour(golden_state(node.literal)));
     ImGui::SameLine(0, ui.px(4));
+    ImGui::SetCursorPosY(y);
   }
   ImGui::TextUnformatted(node_text(tree, index).c_str());
 }
@@ -40,7 +44,7 @@ void draw_node(Ui& ui, const Tree& tree, int index, const Place& place) {
   const bool is_leaf = node.op == Op::Literal;
   const ImGuiTreeNodeFlags flags =
       ImGuiTreeNodeFlags_DefaultOpen | ImGuiTreeNodeFlags_OpenOnArrow |
-      ImGuiTreeNodeFlags_SpanAvailWidth |
+      ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_FramePadding |
       (is_leaf ? ImGuiTreeNodeFlags_Leaf | ImGuiTreeNodeFlags_NoTreePushOnOpen : 0) |
       (is_marked(ui, tree, index) ? ImGuiTreeNodeFlags_Selected : 0);
   const float x = ImGui::GetCursorPosX();
@@ -65,8 +69,14 @@ void draw_node(Ui& ui, const Tree& tree, int index, const Place& place) {
 void draw_outline(Ui& ui, const Tree& tree) {
   // Chains of differences and unions go deep.
   ImGui::PushStyleVar(ImGuiStyleVar_IndentSpacing, ui.px(10));
+  // No gaps between the rows, where a click would do nothing.
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const ImVec2 spacing = style.ItemSpacing;
+  const float padding = std::floor(spacing.y / 2);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {style.FramePadding.x, padding});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing.x, spacing.y - 2 * padding});
   draw_node(ui, tree, tree.root, {});
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(3);
 }
 
 }  // namespace hewn

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include "core/base/rng.h"
+
 namespace hewn {
 namespace {
 
@@ -66,6 +68,20 @@ TEST_CASE("a project survives writing and reading") {
   CHECK(second->mesh == first->mesh);
   CHECK(second->root.children[0].groups[0].index == 7);
   CHECK(*second->root.children[0].groups[0].at == Vec3(0, 0, 5));
+}
+
+TEST_CASE("cuts at any angle survive writing and reading to the bit") {
+  Rng rng(7);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 drawn(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1));
+    Project project;
+    project.mesh = "/data/part.off";
+    project.cuts.push_back({drawn.normalized(), rng.uniform(-10, 10), {}});
+    const std::string text = project_text(project, "/data");
+    const auto read = parse_project(text, "/data");
+    REQUIRE(read);
+    CHECK(project_text(*read, "/data") == text);
+  }
 }
 
 TEST_CASE("a project without a partition takes the whole mesh as one") {
