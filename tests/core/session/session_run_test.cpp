@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -198,6 +199,29 @@ TEST_CASE("an option of the segmentation has the mesh divided anew; undo needs n
   REQUIRE(session.execute(Undo{}));
   CHECK(session.document().is_ready());
   CHECK(session.document().prepared->segmentation.groups.size() == 7);
+}
+
+TEST_CASE("a mesh that is deleted while open: the plan goes on; reading it again names the file") {
+  OpenSession open;
+  Session& session = open.session;
+  std::filesystem::remove(open.folder / "plate.off");
+  REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
+  REQUIRE(session.execute(Reconstruct{}));
+  session.wait();
+  REQUIRE(session.current_result());
+  REQUIRE(session.execute(SaveProject{open.folder / "plate.json"}));
+  REQUIRE(session.execute(ExportTree{open.folder / "plate.scad"}));
+  session.wait();
+  CHECK(std::filesystem::exists(open.folder / "plate.scad"));
+  REQUIRE(session.execute(SetOption{"segment", "method", "curvature"}));
+  session.wait();
+  const auto& notices = session.notices();
+  CHECK(std::any_of(notices.begin(), notices.end(), [](const Notice& n) {
+    return n.severity == Severity::Error && n.text.find("plate.off") != std::string::npos;
+  }));
+  REQUIRE(session.execute(Undo{}));
+  CHECK(session.document().is_ready());
+  CHECK(session.current_result());
 }
 
 TEST_CASE("the newest plan wins over a search that is still running") {
