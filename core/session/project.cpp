@@ -75,7 +75,7 @@ std::vector<GroupRef> read_groups(const Json& value, const std::string& where) {
 CutStep read_cut(const Json& value, const std::string& where) {
   check_keys(value, where, {"normal", "offset", "point", "groups"});
   CutStep cut;
-  if (!value.contains("normal")) fail(where, "a cut needs \"normal\"");
+  if (!value.contains("normal")) fail(where, R"(a cut needs "normal")");
   const Vec3 normal = read_point(value["normal"], where + ".normal");
   double length = normal.norm();
   if (!(length > 0)) fail(where + ".normal", "the normal must not be zero");
@@ -83,7 +83,7 @@ CutStep read_cut(const Json& value, const std::string& where) {
   if (std::abs(length - 1) < 1e-12) length = 1;
   cut.normal = normal / length;
   if (value.contains("offset") == value.contains("point")) {
-    fail(where, "a cut needs either \"offset\" or \"point\"");
+    fail(where, R"(a cut needs either "offset" or "point")");
   }
   cut.offset = value.contains("offset")
                    ? read_number(value["offset"], where + ".offset") / length

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include "core/base/file.h"
@@ -64,9 +65,10 @@ std::vector<std::filesystem::path> find_recoverable(const std::filesystem::path&
     if (owner <= 0 || is_alive(owner)) continue;
     found.emplace_back(entry.last_write_time(failure), entry.path());
   }
-  std::sort(found.begin(), found.end());
+  std::sort(found.rbegin(), found.rend());
   std::vector<std::filesystem::path> paths;
-  for (auto it = found.rbegin(); it != found.rend(); ++it) paths.push_back(it->second);
+  paths.reserve(found.size());
+  for (auto& [time, path] : found) paths.push_back(std::move(path));
   return paths;
 }
 

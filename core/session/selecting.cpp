@@ -32,6 +32,7 @@ struct Candidate {
 /// Coordinate axes first: they win over equal directions of groups.
 std::vector<Candidate<Vec3>> known_directions(const PreparedMesh& prepared) {
   std::vector<Candidate<Vec3>> out;
+  out.reserve(3 + prepared.segmentation.groups.size());
   for (int k = 0; k < 3; ++k) out.push_back({Vec3::Unit(k), fmt::format("{} axis", "xyz"[k])});
   for (std::size_t g = 0; g < prepared.segmentation.groups.size(); ++g) {
     const FaceGroup& group = prepared.segmentation.groups[g];

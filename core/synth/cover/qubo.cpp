@@ -59,12 +59,12 @@ Qubo qubo_of(const SetCoverProblem& problem) {
     std::vector<QuadraticForm::Term> equal;
     for (int k = 0; k < qubo.sets; ++k) {
       if (!test_bit(problem.sets[static_cast<std::size_t>(k)].data(), e)) continue;
-      equal.push_back({k, -1.0});
+      equal.emplace_back(k, -1.0);
     }
     const std::size_t holders = equal.size();
     for (std::size_t m = 1; m <= holders; ++m) {
-      one.push_back({qubo.variables, -1.0});
-      equal.push_back({qubo.variables, static_cast<double>(m)});
+      one.emplace_back(qubo.variables, -1.0);
+      equal.emplace_back(qubo.variables, static_cast<double>(m));
       ++qubo.variables;
     }
     form.add_square(qubo.penalty, 1, one);

@@ -129,7 +129,7 @@ class BranchAndBound {
     std::size_t fewest = problem_.sets.size() + 1;
     std::vector<std::pair<std::size_t, std::size_t>> order;
     for_each_bit(open, [&](std::size_t e) {
-      order.push_back({containing_[e].size(), e});
+      order.emplace_back(containing_[e].size(), e);
       if (containing_[e].size() >= fewest) return;
       fewest = containing_[e].size();
       branch = e;
