@@ -154,7 +154,8 @@ TEST_CASE("a change of choice takes effect with the next job, and auto is what i
   std::vector<int> opened;
   const OpenDevice open = [&](int index) -> Result<std::unique_ptr<Device>> {
     opened.push_back(index);
-    return Result<std::unique_ptr<Device>>(std::make_unique<FailingDevice>(1000, kLost));
+    std::unique_ptr<Device> device = std::make_unique<FailingDevice>(1000, kLost);
+    return device;
   };
   Compute compute(1, {DeviceChoice::Kind::Cpu, 0}, open);
   const auto is_accelerated = [&] {
