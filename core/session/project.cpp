@@ -59,7 +59,7 @@ GroupRef read_group(const Json& value, const std::string& where) {
       ref.index = value["index"].get<int>();
     }
   }
-  if (!ref.at && ref.index < 0) fail(where, "a group needs \"at\": [x, y, z] or an index from 0");
+  if (!ref.at && ref.index < 0) fail(where, R"(a group needs "at": [x, y, z] or an index from 0)");
   return ref;
 }
 
@@ -96,7 +96,7 @@ Op read_op(const Json& value, const std::string& where) {
   if (value == "union") return Op::Union;
   if (value == "difference") return Op::Difference;
   if (value == "intersection") return Op::Intersection;
-  fail(where, "the operation must be \"union\", \"difference\" or \"intersection\"");
+  fail(where, R"(the operation must be "union", "difference" or "intersection")");
 }
 
 PartitionPlan read_partition(const Json& value, const std::string& where, int depth) {
@@ -123,7 +123,7 @@ PartitionPlan read_partition(const Json& value, const std::string& where, int de
     }
   }
   if (plan.groups.empty() && !plan.takes_rest && plan.children.empty()) {
-    fail(where, "a partition needs groups (a list or \"rest\") or children");
+    fail(where, R"(a partition needs groups (a list or "rest") or children)");
   }
   return plan;
 }
@@ -137,7 +137,7 @@ LiteralEdit read_edit(const Json& value, const std::string& where) {
   if (!value.contains("field") || !value["field"].is_string()) {
     fail(where + ".field", "a name is needed");
   }
-  if (!value.contains("value")) fail(where, "an edit needs \"value\"");
+  if (!value.contains("value")) fail(where, R"(an edit needs "value")");
   edit.literal = value["literal"].get<int>();
   edit.field = value["field"].get<std::string>();
   edit.value = read_number(value["value"], where + ".value");
@@ -153,7 +153,7 @@ int count_rest(const PartitionPlan& plan) {
 void read_version(const Json& root) {
   if (!root.is_object() || !root.contains("hewn-project") ||
       !root["hewn-project"].is_number_integer()) {
-    fail("", "not a project file: the key \"hewn-project\" with the version is missing");
+    fail("", R"(not a project file: the key "hewn-project" with the version is missing)");
   }
   const int version = root["hewn-project"].get<int>();
   if (version < 1 || version > kProjectVersion) {
@@ -201,7 +201,7 @@ Project read_project(const Json& root, const std::filesystem::path& folder) {
   for (std::size_t i = 0; i < edits.size(); ++i) {
     project.edits.push_back(read_edit(edits[i], fmt::format("edits[{}]", i)));
   }
-  if (count_rest(project.root) > 1) fail("partition", "only one partition can take the \"rest\"");
+  if (count_rest(project.root) > 1) fail("partition", R"(only one partition can take the "rest")");
   return project;
 }
 
