@@ -200,8 +200,8 @@ void add_edit_actions(std::vector<Action>& out) {
                           ui.session.document().project.root.children.empty();
                  },
                  suggest});
-  out.push_back({"Edit", "Reconstruct", 'R', kCtrl, "Find the tree of the plan.", has_mesh,
-                 reconstruct});
+  out.push_back(
+      {"Edit", "Reconstruct", 'R', kCtrl, "Find the tree of the plan.", has_mesh, reconstruct});
   out.push_back({"Edit", "Live reconstruction", 'L', kCtrl,
                  "Find the tree anew after every change of the plan.", always,
                  [](Ui& ui) { ui.session.set_live(!ui.session.is_live()); }});

@@ -338,10 +338,10 @@ void Viewport::point_at(Ui& ui, const ViewArea& area, const std::array<float, 2>
   // A literal that a list points at recolours the mesh; over the part itself the groups count.
   ui.state.hovered_literal = ui.state.hovered_node = -1;
   const Scene scene = build_scene(ui, area);
-  const int label = ui.session.document().is_ready()
-                        ? ids(scene, area).at(static_cast<int>(mouse[0] - area.x),
-                                              static_cast<int>(mouse[1] - area.y))
-                        : -1;
+  const int label = ui.session.document().is_ready() ? ids(scene, area)
+                                                           .at(static_cast<int>(mouse[0] - area.x),
+                                                               static_cast<int>(mouse[1] - area.y))
+                                                     : -1;
   const bool groups = picks_groups(scene);
   ui.state.hovered = groups ? label : -1;
   if (!groups) ui.state.hovered_literal = label;
