@@ -52,6 +52,9 @@ Error not_finite(std::string where);
 int triangulate_polygon(const std::vector<Vec3>& vertices, const std::vector<int>& loop,
                         std::vector<Triangle>& out);
 
+/// Adds the warning about faces that no reader can use, if there are any.
+void warn_of_skipped_faces(int count, RawMesh& mesh);
+
 /// Called every element or so; true once the user has cancelled.
 inline bool cancelled_at(std::size_t i, const RunContext& run) {
   return (i & 0xFFFF) == 0 && run.is_cancelled();

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "core/base/counted.h"
 #include "core/mesh/raw_mesh.h"
 #include "core/mesh/text_scanner.h"
 
@@ -102,11 +101,7 @@ class PlyReader {
     for (const Element& element : elements_) {
       if (auto ok = read_element(element); !ok) return ok.error();
     }
-    if (skipped_ > 0) {
-      mesh_.warnings.push_back(counted(skipped_, "face with fewer than 3 corners was",
-                                       "faces with fewer than 3 corners were") +
-                               " left out.");
-    }
+    warn_of_skipped_faces(skipped_, mesh_);
     return std::move(mesh_);
   }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/counted.h"
 #include "core/mesh/raw_mesh.h"
 
 namespace hewn {
@@ -64,6 +65,13 @@ std::size_t find_ear(const std::vector<Vec2>& flat, const std::vector<int>& left
 }
 
 }  // namespace
+
+void warn_of_skipped_faces(int count, RawMesh& mesh) {
+  if (count == 0) return;
+  mesh.warnings.push_back(
+      counted(count, "face with fewer than 3 corners was", "faces with fewer than 3 corners were") +
+      " left out.");
+}
 
 int triangulate_polygon(const std::vector<Vec3>& vertices, const std::vector<int>& loop,
                         std::vector<Triangle>& out) {

@@ -38,6 +38,15 @@ until_true "undo" is partitions 0
 key ctrl+shift+z
 until_true "redo" is partitions 1
 
+# The knife: a line across the part, then Enter.
+key k
+drag 600 150 600 760
+until_true "a plane" is has_plane true
+key Return
+until_true "the cut" is cuts 1
+key ctrl+z
+until_true "the cut's undo" is cuts 0
+
 key ctrl+r
 until_true "the search" is busy true
 key ctrl+e
@@ -52,4 +61,5 @@ mv tree.scad from-window.scad
 "$hewn" replay log.txt || fail "the log does not replay"
 cmp tree.scad from-window.scad || fail "the replayed tree differs"
 grep -q 'difference' tree.scad || fail "no difference in the tree"
+grep -q '"frames"' studio.txt || fail "no frame times"
 echo "ok: $(wc -l <log.txt) commands"

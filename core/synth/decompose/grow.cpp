@@ -37,9 +37,7 @@ GrowthStart& TermGrower::start_of(const GrowRequest& request) {
 
 void TermGrower::start(const GrowRequest& request) {
   start_ = &start_of(request);
-  shared_ = &start_->root();
-  cells_ = shared_->cells;
-  left_ = shared_->left;
+  share(start_->root());
   literals_.clear();
   prism_ = -1;
   has_planes_ = false;
@@ -56,13 +54,17 @@ void TermGrower::start(const GrowRequest& request) {
   }
 }
 
+void TermGrower::share(CountedCells& counted) {
+  shared_ = &counted;
+  cells_ = counted.cells;
+  left_ = counted.left;
+}
+
 void TermGrower::take(int halfspace, bool inside) {
   const bool is_first = literals_.empty();
   literals_.push_back({halfspace, inside});
   if (is_first) {
-    shared_ = &start_->after(static_cast<std::size_t>(halfspace), inside);
-    cells_ = shared_->cells;
-    left_ = shared_->left;
+    share(start_->after(static_cast<std::size_t>(halfspace), inside));
   } else {
     shared_ = nullptr;
     cells_.keep(columns_->column(static_cast<std::size_t>(halfspace), inside));

@@ -60,6 +60,7 @@ class TermGrower {
   GrowthStart& start_of(const GrowRequest& request);
   void start(const GrowRequest& request);
   bool take_curved(const GrowRequest& request, Rng& rng);
+  void share(CountedCells& counted);
   void take(int halfspace, bool inside);
   void take_prism(int prism);
   bool may_hold_seed(const RegularPrism& prism) const;

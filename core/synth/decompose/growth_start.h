@@ -31,7 +31,6 @@ class GrowthStart {
   bool is_known() const { return is_known_; }
 
   CountedCells& root() { return root_; }
-  const CountedCells& root() const { return root_; }
   /// After taking a side of a halfspace first.
   CountedCells& after(std::size_t halfspace, bool inside);
 

@@ -19,6 +19,20 @@ struct Window {
   std::size_t begin = 0, end = 0;
 };
 
+/// The term with the highest score, taken out of the batch; null when none has more than 0.
+template <class Score>
+TermPtr best_of(std::span<std::optional<Term>> terms, const Score& score) {
+  double highest = 0;
+  std::optional<Term>* best = nullptr;
+  for (std::optional<Term>& term : terms) {
+    const double value = term ? score(*term) : 0;
+    if (value <= highest) continue;
+    highest = value;
+    best = &term;
+  }
+  return best != nullptr ? std::make_shared<const Term>(std::move(**best)) : nullptr;
+}
+
 /// Takes single steps through the neighbourhood of a list.
 class Stepper {
  public:
@@ -164,19 +178,12 @@ class Stepper {
     if (budget <= 0) return nullptr;
     requests_.clear();
     for (int k = 0; k < options_.regrow_tries; ++k) requests_.push_back(draw_request(budget));
-    double best_score = 0;
-    std::optional<Term>* best = nullptr;
-    for (std::optional<Term>& term : growers_.grow(requests_, open_, &required_)) {
-      if (!term || term->cost > budget) continue;
+    return best_of(growers_.grow(requests_, open_, &required_), [&](const Term& term) {
+      if (term.cost > budget) return 0.0;
       const int decided =
-          bit_kernels().count_and(term->cover.data(), required_.data(), required_.size());
-      const double score = decided * (1 + 0.3 * (rng_.uniform() - 0.5)) / term->cost;
-      if (score > best_score) {
-        best_score = score;
-        best = &term;
-      }
-    }
-    return best != nullptr ? std::make_shared<const Term>(std::move(**best)) : nullptr;
+          bit_kernels().count_and(term.cover.data(), required_.data(), required_.size());
+      return decided * (1 + 0.3 * (rng_.uniform() - 0.5)) / term.cost;
+    });
   }
 
   const SearchSpace& space_;
@@ -222,19 +229,12 @@ bool repair_list(const SearchSpace& space, DecisionList& list, GrowerTeam& growe
       request.mode = static_cast<GrowMode>(rng.below(4));
       request.random = rng.next();
     }
-    double best_score = 0;
-    std::optional<Term>* best = nullptr;
-    for (std::optional<Term>& term : growers.grow(requests, space.care, &wrong)) {
-      if (!term) continue;
-      const int mended = bit_kernels().count_and(term->cover.data(), wrong.data(), wrong.size());
-      const double score = static_cast<double>(mended) / term->cost;
-      if (score > best_score) {
-        best_score = score;
-        best = &term;
-      }
-    }
-    if (best == nullptr) return false;
-    list.items.insert(list.items.begin(), std::make_shared<const Term>(std::move(**best)));
+    TermPtr best = best_of(growers.grow(requests, space.care, &wrong), [&](const Term& term) {
+      const int mended = bit_kernels().count_and(term.cover.data(), wrong.data(), wrong.size());
+      return static_cast<double>(mended) / term.cost;
+    });
+    if (!best) return false;
+    list.items.insert(list.items.begin(), std::move(best));
   }
   return false;
 }

@@ -5,22 +5,20 @@ namespace hewn {
 void OpenCells::reset(const ColumnTable& columns, const std::vector<Word>& open,
                       const std::vector<Word>* gained, bool fills) {
   const std::vector<Word>& wanted = columns.wanted();
-  const std::vector<Word>& all = columns.all();
   const Word flip = fills ? 0 : ~Word{0};
   others_.resize(columns.words());
   same_.resize(columns.words());
   for (std::size_t i = 0; i < others_.size(); ++i) {
     const Word fits = wanted[i] ^ flip;
-    const Word cells = open[i] & all[i];
-    others_[i] = cells & ~fits;
-    same_[i] = cells & fits;
+    others_[i] = open[i] & ~fits;
+    same_[i] = open[i] & fits;
     if (gained != nullptr) same_[i] &= (*gained)[i];
   }
   blocks_.clear();
   for (std::size_t i = 0; i < others_.size(); i += kWordBlock) {
     blocks_.push_back(static_cast<std::uint32_t>(i));
   }
-  keep(all.data());
+  keep(columns.all().data());
 }
 
 void OpenCells::keep(const Word* column) {

@@ -51,12 +51,6 @@ void visit_gained(const Stretches& now, const Stretches& then, double rounding,
 
 bool is_empty(const LocalBox& box) { return (box.lo.array() >= box.hi.array()).any(); }
 
-Vec3 draw_point(const LocalBox& box, Rng& rng) {
-  Vec3 p;
-  for (int c = 0; c < 3; ++c) p[c] = rng.uniform(box.lo[c], box.hi[c]);
-  return p;
-}
-
 class Shortener {
  public:
   explicit Shortener(Tree& tree)
@@ -127,7 +121,7 @@ class Shortener {
       shared.hi = shared.hi.cwiseMin(given_up.hi);
       if (is_empty(shared)) continue;
       for (int i = 0; i < kPoints; ++i) {
-        const Vec3 p = literal.to_world(draw_point(shared, rng));
+        const Vec3 p = literal.to_world(sample_box({shared.lo, shared.hi}, rng));
         if (literal.signed_distance(p) >= 0) continue;
         if (inside.contains(p) && !inside_before.contains(p)) return true;
       }
