@@ -6,6 +6,7 @@
 
 #include "core/session/recovery.h"
 #include "core/session/suggest.h"
+#include "ui/tools/section.h"
 
 namespace hewn {
 namespace {
@@ -75,8 +76,7 @@ void leave(Ui& ui) {
     state.shows_palette = state.shows_keys = false;
     state.file.kind = FileRequest::Kind::None;
   } else if (state.tool != Tool::Select) {
-    state.tool = Tool::Select;
-    state.knife = {};
+    state.take_up(Tool::Select);
   } else {
     state.selected.clear();
     state.picked_literal = state.picked_node = -1;
@@ -96,8 +96,7 @@ void confirm_cut(Ui& ui) {
     done = ui.session.execute(AddCut{cut});
   }
   if (done) {
-    ui.state.knife = {};
-    ui.state.tool = Tool::Select;
+    ui.state.take_up(Tool::Select);
     ui.state.selected.clear();
   }
 }
@@ -127,6 +126,16 @@ std::function<void(Ui&)> command() {
 void reconstruct(Ui& ui) {
   if (!ui.session.execute(Reconstruct{})) return;
   if (ui.state.show == ShowMode::Input) ui.state.show = ShowMode::Result;
+}
+
+/// Measures the mesh: that is what is known.
+void measure(Ui& ui) {
+  ui.state.take_up(Tool::Measure);
+  ui.state.show = ShowMode::Input;
+}
+
+std::function<void(Ui&)> take_up(Tool tool) {
+  return [tool](Ui& ui) { ui.state.take_up(tool); };
 }
 
 template <class T>
@@ -168,10 +177,7 @@ void add_edit_actions(std::vector<Action>& out) {
                  [](const Ui& ui) { return ui.session.history().can_redo(); }, command<Redo>()});
   out.push_back({"Edit", "Knife", 'K', 0,
                  "Drag a line across the part to cut the selected groups, or all.", has_mesh,
-                 [](Ui& ui) {
-                   ui.state.knife = {};
-                   ui.state.tool = Tool::Knife;
-                 }});
+                 take_up(Tool::Knife)});
   out.push_back({"Edit", "Confirm the cut", kEnter, 0, "Cut along the plane shown.",
                  [](const Ui& ui) { return ui.state.knife.plane.has_value(); }, confirm_cut});
   out.push_back({"Edit", "Merge groups", 'M', 0, "Make one group of the selected ones.",
@@ -222,10 +228,10 @@ void add_select_actions(std::vector<Action>& out) {
                  [](Ui& ui) { select_groups(ui, all_groups(ui), Combine::Toggle); }});
   out.push_back({"Select", "Box selection", 'B', 0,
                  "Drag a box: left to right takes what is inside, right to left what it touches.",
-                 has_mesh, put(&StudioState::tool, Tool::Box)});
+                 has_mesh, take_up(Tool::Box)});
   out.push_back({"Select", "Lasso selection", 'L', 0,
                  "Draw around groups: takes those that lie in it for the most part.", has_mesh,
-                 put(&StudioState::tool, Tool::Lasso)});
+                 take_up(Tool::Lasso)});
   out.push_back({"Select", "Same kind", 'S', 0, "Add all groups of the same kind and side.",
                  has_selection, [](Ui& ui) { select_similar_groups(ui, Likeness::Kind); }});
   out.push_back({"Select", "Same radius", 'S', kShift, "Add groups of the same kind and radius.",
@@ -264,10 +270,10 @@ void add_look_actions(std::vector<Action>& out) {
   out.push_back({"View", "Wireframe", 'W', 0, "Show the triangles.", always,
                  flip(&StudioState::is_wireframe)});
   out.push_back({"View", "Section", 'C', 0, "Cut the view open across x, y, z in turn.", has_mesh,
-                 [](Ui& ui) {
-                   ui.state.section_axis =
-                       ui.state.section_axis == 2 ? -1 : ui.state.section_axis + 1;
-                 }});
+                 next_section});
+  out.push_back({"View", "Measure", 'M', kShift,
+                 "Click two faces, or corners, for distances, angles and radii.", has_mesh,
+                 measure});
   out.push_back({"View", "Hide", 'H', 0, "Hide the selected groups.", has_selection, [](Ui& ui) {
                    ui.state.hidden.insert(ui.state.selected.begin(), ui.state.selected.end());
                    ui.state.selected.clear();
@@ -408,8 +414,8 @@ void reset_view(StudioState& state) {
   state.hidden.clear();
   state.locked.clear();
   state.active_partition.clear();
-  state.knife = {};
-  state.tool = Tool::Select;
+  state.take_up(Tool::Select);
+  state.section.reset();
   state.picked_literal = state.picked_node = state.hovered_node = -1;
   state.show = ShowMode::Input;
   state.wants_fit = true;

@@ -151,7 +151,8 @@ void Studio::frame(float width, float height) {
   draw_status_bar(ui_, status);
   draw_selection_card(ui_, view);
   draw_knife_card(ui_, view);
-  draw_section_slider(ui_, view);
+  draw_measure_card(ui_, view);
+  draw_section_card(ui_, view);
   draw_deviation_legend(ui_, view);
   draw_exact_card(ui_, view);
   draw_hints(ui_, view);

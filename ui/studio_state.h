@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/session/measuring.h"
 #include "core/session/selecting.h"
 #include "core/session/session.h"
 #include "ui/theme.h"
@@ -16,7 +17,7 @@
 
 namespace hewn {
 
-enum class Tool { Select, Box, Lasso, Knife };
+enum class Tool { Select, Box, Lasso, Knife, Measure };
 enum class ColourMode { Group, Kind, Partition, Deviation };
 enum class ShowMode { Input, Result, Overlay, Difference };
 
@@ -33,6 +34,18 @@ struct GraphState {
   float pan_x = 0, pan_y = 0;  ///< of the graph's corner from the panel's left middle
   bool wants_fit = true;
   bool is_panning = false;
+};
+
+/// The points with normal . x = offset, in model coordinates.
+struct ViewPlane {
+  Vec3 normal = Vec3::UnitZ();  ///< unit
+  double offset = 0;
+};
+
+/// Places of the part that are being measured.
+struct MeasureState {
+  std::optional<Spot> hovered;  ///< under the mouse
+  std::vector<Spot> spots;      ///< at most two
 };
 
 /// The cut that is being placed.
@@ -62,10 +75,9 @@ struct StudioState {
   ExactNow exact_now;
   bool is_xray = false;
   bool is_wireframe = false;
-  bool is_comparing = false;      ///< the compare key is held: the input alone
-  int section_axis = -1;          ///< 0..2; -1: no section
-  double section_share = 0.5;     ///< of the part's extent along the axis
-  double tolerance_share = 1e-4;  ///< of the diagonal: grey in the deviation map
+  bool is_comparing = false;         ///< the compare key is held: the input alone
+  std::optional<ViewPlane> section;  ///< only what lies behind it is shown
+  double tolerance_share = 1e-4;     ///< of the diagonal: grey in the deviation map
 
   std::vector<int> selected;  ///< face groups, ascending
   int hovered = -1;           ///< face group
@@ -79,6 +91,7 @@ struct StudioState {
   PartitionPath active_partition;           ///< where new partitions go
   std::set<std::string> locked;             ///< partitions by name: their groups cannot be picked
   KnifeState knife;
+  MeasureState measure;
   GraphState graph;
   bool shows_graph = false;  ///< the graph's tab is open
 
@@ -94,6 +107,13 @@ struct StudioState {
   PartitionPath renaming;
   bool is_renaming = false;
   std::string rename_text;
+  /// Changes the tool; what the one before had begun is forgotten.
+  void take_up(Tool next) {
+    tool = next;
+    knife = {};
+    measure = {};
+  }
+
   float left_width = 264, right_width = 312;  ///< at scale 1
 
   bool wants_fit = false;  ///< when the mesh arrives

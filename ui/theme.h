@@ -58,6 +58,7 @@ inline constexpr const char* kLasso = "\uf040";
 inline constexpr const char* kLock = "\uf023";
 inline constexpr const char* kMove = "\uf047";
 inline constexpr const char* kKnife = "\uf0c4";
+inline constexpr const char* kMeasure = "\uf07e";
 inline constexpr const char* kEye = "\uf06e";
 inline constexpr const char* kEyeOff = "\uf070";
 inline constexpr const char* kPlay = "\uf04b";

@@ -4,8 +4,10 @@
 #include <doctest/doctest.h>
 
 #include "tests/ui/bench.h"
+#include "ui/actions.h"
 #include "ui/tools/knife.h"
-#include "ui/tools/knife_handles.h"
+#include "ui/tools/measure.h"
+#include "ui/tools/plane_handles.h"
 
 namespace hewn {
 namespace {
@@ -76,12 +78,12 @@ TEST_CASE("a lasso with a dent leaves out what lies in the dent; Shift adds") {
 }
 
 /// The middle of a handle: where it is found, in steps of two pixels.
-std::array<float, 2> place_of(Bench& bench, const ViewArea& view, KnifeHandle handle) {
+std::array<float, 2> place_of(Bench& bench, const ViewArea& view, PlaneHandle handle) {
   std::array<float, 2> sum{};
   int count = 0;
   for (float y = view.y; y < view.y + view.height; y += 2) {
     for (float x = view.x; x < view.x + view.width; x += 2) {
-      if (knife_handle_at(bench.studio().ui(), view, {x, y}) != handle) continue;
+      if (plane_handle_at(bench.studio().ui(), view, {x, y}) != handle) continue;
       sum[0] += x;
       sum[1] += y;
       ++count;
@@ -98,7 +100,7 @@ TEST_CASE("the middle handle moves a plane along its normal by as much as the mo
   set_knife_plane(bench.studio().ui(), {Vec3::UnitX(), 2, ""});
   bench.frames(2);
   const ViewArea view = view_of(bench);
-  const auto at = place_of(bench, view, KnifeHandle::Move);
+  const auto at = place_of(bench, view, PlaneHandle::Move);
   bench.drag({at, {at[0] + 30, at[1]}, {at[0] + 60, at[1]}});
   const SnappedPlane& plane = *bench.state().knife.plane;
   CHECK(plane.normal == Vec3::UnitX());
@@ -115,8 +117,8 @@ TEST_CASE("a side handle turns the plane about the point next to the part's midd
   const ViewArea view = view_of(bench);
   // The arms of a plane across x are y and z; from the front only that along z is seen in full.
   const Tangents frame = tangents(Vec3::UnitX());
-  const KnifeHandle up =
-      std::abs(frame.u.z()) > std::abs(frame.w.z()) ? KnifeHandle::TurnU : KnifeHandle::TurnW;
+  const PlaneHandle up =
+      std::abs(frame.u.z()) > std::abs(frame.w.z()) ? PlaneHandle::TurnU : PlaneHandle::TurnW;
   const auto at = place_of(bench, view, up);
   bench.drag({at, {at[0] + 40, at[1]}});
   const SnappedPlane& plane = *bench.state().knife.plane;
@@ -126,6 +128,52 @@ TEST_CASE("a side handle turns the plane about the point next to the part's midd
   CHECK(plane.normal.x() > 0.5);
   // The middle of the plane stayed: on x = 2.
   CHECK(plane.normal.dot(Vec3(2, 0, 0)) == doctest::Approx(plane.offset).epsilon(1e-6));
+}
+
+TEST_CASE("the section moves with its handle, and the knife's plane stays away") {
+  Bench bench;
+  CHECK(bench.key('1'));
+  CHECK(bench.key('C'));
+  bench.frames(2);
+  const ViewArea view = view_of(bench);
+  const auto at = place_of(bench, view, PlaneHandle::Move);
+  bench.drag({at, {at[0] + 30, at[1]}, {at[0] + 60, at[1]}});
+  REQUIRE(bench.state().section);
+  const double expected = 60 * bench.state().camera.unit_per_pixel(view.height);
+  CHECK(bench.state().section->offset == doctest::Approx(expected).epsilon(0.05));
+  CHECK(bench.state().selected.empty());
+  CHECK(!bench.state().knife.plane);
+  CHECK(bench.engine().last.section.w == doctest::Approx(expected).epsilon(0.05));
+}
+
+TEST_CASE("two clicks measure what lies between two faces") {
+  Bench bench;
+  CHECK(bench.key('1'));
+  const PreparedMesh& prepared = *bench.session().document().prepared;
+  const auto group_at = [&](const Vec3& p) {
+    return find_groups(prepared, {{p, -1}}, "").value().front();
+  };
+  const int front = group_at(Vec3(10, -10, 0));
+  bench.engine().label_at = [front](int, int) { return front; };
+  CHECK(bench.key('M', kShift));
+  REQUIRE(bench.state().tool == Tool::Measure);
+  const ImVec2 first = to_pixel(bench.studio().ui(), view_of(bench), Vec3(10, -10, 0));
+  bench.click(first.x, first.y);
+  REQUIRE(bench.state().measure.spots.size() == 1);
+  CHECK(bench.state().selected.empty());
+  // The bore through the plate, as if its near wall were not there.
+  const int bore = bench.hole_group();
+  bench.engine().label_at = [bore](int, int) { return bore; };
+  bench.state().camera.pan(0, 1, 300);  // the labels are read anew
+  const ImVec2 second = to_pixel(bench.studio().ui(), view_of(bench), Vec3(1, 0, 0));
+  bench.click(second.x, second.y);
+  REQUIRE(bench.state().measure.spots.size() == 2);
+  const auto found = measured(bench.studio().ui());
+  CHECK(found[0].what == "axis to plane");
+  CHECK(found[0].value == doctest::Approx(10).epsilon(1e-4));
+  bench.key(256);  // Esc
+  CHECK(bench.state().tool == Tool::Select);
+  CHECK(bench.state().measure.spots.empty());
 }
 
 TEST_CASE("a placed cut is taken up, moved and set down as one command") {

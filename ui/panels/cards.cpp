@@ -68,7 +68,8 @@ void draw_histogram(const Ui& ui, const ResultView& view, const glm::vec2& scale
 
 void draw_selection_card(Ui& ui, const PanelArea& view) {
   const Document& document = ui.session.document();
-  if (!document.is_ready() || ui.state.selected.empty() || ui.state.tool == Tool::Knife) return;
+  if (!document.is_ready() || ui.state.selected.empty()) return;
+  if (ui.state.tool == Tool::Knife || ui.state.tool == Tool::Measure) return;
   begin_card(ui, "selection", view.x + view.width / 2, view.y + view.height - ui.px(12), {0.5F, 1});
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(describe_selection(*document.prepared, ui.state.selected).c_str());
@@ -126,29 +127,13 @@ void draw_knife_card(Ui& ui, const PanelArea& view) {
   end_card();
 }
 
-void draw_section_slider(Ui& ui, const PanelArea& view) {
-  if (ui.state.section_axis < 0 || !ui.session.document().is_ready()) return;
-  begin_card(ui, "section", view.x + ui.px(12), view.y + ui.px(12), {0, 0});
-  const SectionPlane plane = section_plane(ui);
-  ImGui::AlignTextToFramePadding();
-  ImGui::Text("%c <", "xyz"[ui.state.section_axis]);
-  ImGui::SameLine();
-  ImGui::SetNextItemWidth(ui.px(180));
-  auto share = static_cast<float>(ui.state.section_share);
-  if (ImGui::SliderFloat("##share", &share, 0, 1, "")) ui.state.section_share = share;
-  ImGui::SameLine();
-  ImGui::TextUnformatted(short_number(plane.offset).c_str());
-  ImGui::SameLine(ui.px(292));
-  if (ImGui::Button("off")) ui.state.section_axis = -1;
-  end_card();
-}
-
 void draw_deviation_legend(Ui& ui, const PanelArea& view) {
   if (!shows_deviation(ui)) return;
   const auto result = ui.session.result_view();
   const glm::vec2 scale = deviation_scale(ui);
   // On narrow windows the card at the bottom's middle reaches as far as here.
-  const bool has_card = ui.state.tool == Tool::Knife || !ui.state.selected.empty();
+  const bool has_card =
+      ui.state.tool == Tool::Knife || ui.state.tool == Tool::Measure || !ui.state.selected.empty();
   const float bottom = view.y + view.height - ui.px(has_card ? 60 : 12);
   begin_card(ui, "legend", view.x + ui.px(12), bottom, {0, 1});
   const float width = ui.px(220);
@@ -265,7 +250,7 @@ void draw_hints(Ui& ui, const PanelArea& view) {
   while (state.hint < kCount && kHints[state.hint].is_done(ui)) ++state.hint;
   if (state.hint >= kCount) state.shows_hints = false;
   if (!state.shows_hints || !ui.session.document().is_ready()) return;
-  const float top = view.y + ui.px(state.section_axis >= 0 ? 60 : 12);
+  const float top = view.y + ui.px(state.section ? 60 : 12);
   begin_card(ui, "hint", view.x + view.width / 2, top, {0.5F, 0});
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(kHints[state.hint].text);

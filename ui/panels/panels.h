@@ -22,8 +22,9 @@ void draw_status_bar(Ui& ui, const PanelArea& area);        ///< bottom: jobs, c
 void draw_toolbar(Ui& ui, const PanelArea& area);           ///< above the part
 void draw_selection_card(Ui& ui, const PanelArea& view);    ///< floats over the part
 void draw_knife_card(Ui& ui, const PanelArea& view);        ///< in its place while cutting
+void draw_section_card(Ui& ui, const PanelArea& view);      ///< upper left, while there is one
 void draw_gizmo(Ui& ui, const PanelArea& view);             ///< axes, lower right
-void draw_section_slider(Ui& ui, const PanelArea& view);    ///< while a section is shown
+void draw_measure_card(Ui& ui, const PanelArea& view);      ///< in its place while measuring
 void draw_deviation_legend(Ui& ui, const PanelArea& view);  ///< while deviations are shown
 void draw_exact_card(Ui& ui, const PanelArea& view);        ///< how the result is drawn
 void draw_notices(Ui& ui, const PanelArea& view);           ///< upper right of the part

@@ -40,7 +40,7 @@ void draw_cut(Ui& ui, int index) {
   }
   ImGui::SameLine(0, ui.px(4));
   if (ImGui::Button(ui.fonts.has_icons ? icon::kMove : "m")) {
-    ui.state.tool = Tool::Knife;
+    ui.state.take_up(Tool::Knife);
     ui.state.selected.clear();
     set_knife_plane(ui, {cut.normal, cut.offset, ""});
     ui.state.knife.placed_cut = index;

@@ -28,6 +28,22 @@ void draw_job(const Ui& ui, const JobStatus& job) {
   ImGui::Dummy({width, ImGui::GetTextLineHeight()});
 }
 
+const char* hint_of(Tool tool) {
+  switch (tool) {
+    case Tool::Knife:
+      return "drag a line across the part; Alt: no snapping";
+    case Tool::Lasso:
+      return "draw around the groups";
+    case Tool::Box:
+      return "drag a box: to the right encloses, to the left touches";
+    case Tool::Measure:
+      return "click two faces, or corners; Esc leaves";
+    case Tool::Select:
+      break;
+  }
+  return "ready";
+}
+
 std::string counts_text(const Ui& ui) {
   const Document& document = ui.session.document();
   if (!document.is_ready()) return {};
@@ -48,11 +64,7 @@ void draw_status_bar(Ui& ui, const PanelArea& area) {
   ImGui::PushFont(ui.fonts.small);
   const auto jobs = ui.session.jobs();
   if (jobs.empty()) {
-    faint_text(ui, ui.state.tool == Tool::Knife   ? "drag a line across the part; Alt: no snapping"
-                   : ui.state.tool == Tool::Lasso ? "draw around the groups"
-                   : ui.state.tool == Tool::Box ? "drag a box: to the right encloses, to the left "
-                                                  "touches"
-                                                : "ready");
+    faint_text(ui, hint_of(ui.state.tool));
   } else {
     draw_job(ui, jobs.front());
     ImGui::SameLine();

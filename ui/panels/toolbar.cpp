@@ -10,8 +10,11 @@ void gap(const Ui& ui) { ImGui::SameLine(0, ui.px(16)); }
 void draw_tool(Ui& ui, const char* symbol, const char* name, Tool tool, const char* title) {
   const std::string label = ui.fonts.has_icons ? std::string(symbol) + "##" + name : name;
   if (toggle_button(ui, label, ui.state.tool == tool)) {
-    ui.state.tool = tool;
-    ui.state.knife = {};
+    if (title) {
+      action_named(ui, title).run(ui);
+    } else {
+      ui.state.take_up(tool);
+    }
   }
   if (title) {
     action_tip(action_named(ui, title));
@@ -48,6 +51,7 @@ void draw_toolbar(Ui& ui, const PanelArea& area) {
   draw_tool(ui, icon::kBox, "Box", Tool::Box, "Box selection");
   draw_tool(ui, icon::kLasso, "Lasso", Tool::Lasso, "Lasso selection");
   draw_tool(ui, icon::kKnife, "Knife", Tool::Knife, "Knife");
+  draw_tool(ui, icon::kMeasure, "Measure", Tool::Measure, "Measure");
   gap(ui);
   draw_show(ui, "Input", ShowMode::Input, "Show input");
   draw_show(ui, "Result", ShowMode::Result, "Show result");
@@ -63,7 +67,7 @@ void draw_toolbar(Ui& ui, const PanelArea& area) {
   gap(ui);
   draw_flag(ui, "X-ray", ui.state.is_xray, "X-ray");
   draw_flag(ui, "Wire", ui.state.is_wireframe, "Wireframe");
-  draw_flag(ui, "Section", ui.state.section_axis >= 0, "Section");
+  draw_flag(ui, "Section", ui.state.section.has_value(), "Section");
   ImGui::NewLine();
   ImGui::End();
   ImGui::PopStyleVar(2);

@@ -11,12 +11,6 @@ namespace {
 constexpr double kSnapAngle_rad = 0.09;  // 5 degrees
 constexpr double kSnapReach_px = 7;
 
-ViewRay ray_at(const Ui& ui, const ViewArea& area, const std::array<float, 2>& pixel) {
-  const double x = 2 * (pixel[0] - area.x) / area.width - 1;
-  const double y = 1 - 2 * (pixel[1] - area.y) / area.height;
-  return ui.state.camera.ray(x, y, area.aspect());
-}
-
 /// Where the ray meets the plane through the target that faces the camera.
 Vec3 on_target_plane(const Ui& ui, const ViewRay& ray) {
   const Vec3 back = ui.state.camera.back();

@@ -1,7 +1,7 @@
 #pragma once
 /// Aiming a cut: from a line on the screen, or from numbers.
 #include "ui/studio_state.h"
-#include "ui/view/look.h"
+#include "ui/view/pixels.h"
 
 namespace hewn {
 

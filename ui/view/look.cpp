@@ -172,15 +172,6 @@ std::vector<LabelState> literal_states(const Ui& ui) {
   return states;
 }
 
-SectionPlane section_plane(const Ui& ui) {
-  SectionPlane plane;
-  const Box3& bounds = ui.session.document().prepared->mesh->bounds;
-  const int k = std::max(ui.state.section_axis, 0);
-  plane.normal = Vec3::Unit(k);
-  plane.offset = bounds.lo[k] + ui.state.section_share * (bounds.hi[k] - bounds.lo[k]);
-  return plane;
-}
-
 Scene build_scene(const Ui& ui, const ViewArea& area) {
   Scene scene;
   set_colours(ui, scene);
@@ -193,9 +184,8 @@ Scene build_scene(const Ui& ui, const ViewArea& area) {
   const Box3& bounds = document.prepared->mesh->bounds;
   scene.origin = bounds.center();
   add_items(ui, scene);
-  if (ui.state.section_axis >= 0) {
-    const SectionPlane plane = section_plane(ui);
-    scene.section = scene_plane(plane.normal, plane.offset, scene.origin);
+  if (const auto& section = ui.state.section) {
+    scene.section = scene_plane(section->normal, section->offset, scene.origin);
   }
   if (const auto& plane = ui.state.knife.plane) {
     scene.has_knife = true;

@@ -3,16 +3,10 @@
 #include <vector>
 
 #include "ui/studio_state.h"
+#include "ui/view/pixels.h"
 #include "ui/view/scene.h"
 
 namespace hewn {
-
-/// Where a view is and what lies in it.
-struct ViewArea {
-  float x = 0, y = 0;           ///< window pixels, top left
-  float width = 1, height = 1;  ///< pixels
-  double aspect() const { return width / height; }
-};
 
 /// The looks of the input's groups.
 std::vector<LabelState> group_states(const Ui& ui);
@@ -24,13 +18,6 @@ std::vector<LabelState> literal_states(const Ui& ui);
 bool shows_deviation(const Ui& ui);
 
 Scene build_scene(const Ui& ui, const ViewArea& area);
-
-/// The plane of the section: normal and offset in model coordinates.
-struct SectionPlane {
-  Vec3 normal = Vec3::UnitZ();
-  double offset = 0;
-};
-SectionPlane section_plane(const Ui& ui);
 
 /// The tolerance and the end of the colours, in model units.
 glm::vec2 deviation_scale(const Ui& ui);

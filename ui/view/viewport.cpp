@@ -7,6 +7,9 @@
 
 #include "ui/actions.h"
 #include "ui/tools/knife.h"
+#include "ui/tools/marks.h"
+#include "ui/tools/measure.h"
+#include "ui/view/id_picking.h"
 #include "ui/view/warm_up.h"
 
 namespace hewn {
@@ -46,58 +49,6 @@ Scene geometry_of(const Scene& scene) {
   return bare;
 }
 
-/// Groups with pixels in the box; `must_enclose`: and none outside.
-std::vector<int> groups_in(const IdImage& ids, int x0, int y0, int x1, int y1, bool must_enclose) {
-  std::vector<int> inside, outside;
-  const auto count = [](std::vector<int>& counts, int label) {
-    if (static_cast<std::size_t>(label) >= counts.size()) counts.resize(label + 1, 0);
-    ++counts[label];
-  };
-  for (int y = 0; y < ids.height; ++y) {
-    for (int x = 0; x < ids.width; ++x) {
-      const int label = ids.at(x, y);
-      if (label < 0) continue;
-      const bool is_in = x >= x0 && x <= x1 && y >= y0 && y <= y1;
-      count(is_in ? inside : outside, label);
-    }
-  }
-  outside.resize(std::max(inside.size(), outside.size()), 0);
-  std::vector<int> groups;
-  for (std::size_t g = 0; g < inside.size(); ++g) {
-    if (inside[g] > 0 && (!must_enclose || outside[g] == 0)) groups.push_back(static_cast<int>(g));
-  }
-  return groups;
-}
-
-/// Groups with more of their pixels inside the closed line than outside.
-std::vector<int> groups_around(const IdImage& ids, const std::vector<std::array<float, 2>>& line) {
-  std::vector<int> balance;
-  std::vector<float> crossings;
-  for (int y = 0; y < ids.height; ++y) {
-    const float at = static_cast<float>(y) + 0.5F;
-    crossings.clear();
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const auto &a = line[i], &b = line[(i + 1) % line.size()];
-      if ((a[1] > at) == (b[1] > at)) continue;
-      crossings.push_back(a[0] + (at - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
-    }
-    std::sort(crossings.begin(), crossings.end());
-    std::size_t passed = 0;
-    for (int x = 0; x < ids.width; ++x) {
-      while (passed < crossings.size() && crossings[passed] <= static_cast<float>(x)) ++passed;
-      const int label = ids.at(x, y);
-      if (label < 0) continue;
-      if (static_cast<std::size_t>(label) >= balance.size()) balance.resize(label + 1, 0);
-      balance[label] += passed % 2 == 1 ? 1 : -1;
-    }
-  }
-  std::vector<int> groups;
-  for (std::size_t g = 0; g < balance.size(); ++g) {
-    if (balance[g] > 0) groups.push_back(static_cast<int>(g));
-  }
-  return groups;
-}
-
 }  // namespace
 
 void Viewport::sync_meshes(Ui& ui) {
@@ -112,6 +63,7 @@ void Viewport::sync_meshes(Ui& ui) {
     has_ids_ = false;
     must_draw_ = true;
     ui.state.hovered = -1;
+    ui.state.measure = {};
     const int count = input ? input->labels : 0;
     std::erase_if(ui.state.selected, [count](int g) { return g >= count; });
     std::erase_if(ui.state.hidden, [count](int g) { return g >= count; });
@@ -168,7 +120,8 @@ void Viewport::draw(Ui& ui, const ViewArea& area) {
   follow_mouse(ui, area, is_hovered);
   sync_states(ui);
   draw_picture(ui, area);
-  draw_knife_handles(ui, area);
+  draw_plane_handles(ui, area);
+  draw_measure(ui, area);
   draw_rubber_band(ui);
 }
 
@@ -285,17 +238,29 @@ void Viewport::begin_drag(Ui& ui, const ViewArea& area) {
       drag_ = Drag::Pan;
     } else if (button == 2 || io.KeyAlt) {
       drag_ = Drag::Orbit;
-    } else if (ui.state.tool == Tool::Knife) {
-      handle_ = knife_handle_at(ui, area, {io.MousePos.x, io.MousePos.y});
-      drag_ = handle_ == KnifeHandle::None ? Drag::Knife : Drag::Handle;
-    } else if (ui.state.tool == Tool::Lasso) {
-      drag_ = Drag::Lasso;
-      lasso_ = {drag_start_};
     } else {
-      drag_ = ui.state.tool == Tool::Box ? Drag::Box : Drag::Pick;
+      handle_ = plane_handle_at(ui, area, drag_start_);
+      drag_ = handle_ == PlaneHandle::None ? drag_of(ui.state.tool) : Drag::Handle;
     }
+    if (drag_ == Drag::Lasso) lasso_ = {drag_start_};
     return;
   }
+}
+
+Viewport::Drag Viewport::drag_of(Tool tool) {
+  switch (tool) {
+    case Tool::Knife:
+      return Drag::Knife;
+    case Tool::Lasso:
+      return Drag::Lasso;
+    case Tool::Box:
+      return Drag::Box;
+    case Tool::Measure:
+      return Drag::Measure;
+    case Tool::Select:
+      break;
+  }
+  return Drag::Pick;
 }
 
 void Viewport::continue_drag(Ui& ui, const ViewArea& area) {
@@ -307,7 +272,7 @@ void Viewport::continue_drag(Ui& ui, const ViewArea& area) {
   if (drag_ == Drag::Pan) ui.state.camera.pan(dx, dy, area.height);
   if (drag_ == Drag::Pick && moved > kDragStart) drag_ = Drag::Box;
   if (drag_ == Drag::Knife && moved > kDragStart) place_knife(ui, area);
-  if (drag_ == Drag::Handle) drag_knife_handle(ui, area, handle_, {dx, dy});
+  if (drag_ == Drag::Handle) drag_plane_handle(ui, area, handle_, {dx, dy});
   if (drag_ == Drag::Lasso && std::hypot(io.MousePos.x - lasso_.back()[0],
                                          io.MousePos.y - lasso_.back()[1]) > kDragStart / 2) {
     lasso_.push_back({io.MousePos.x, io.MousePos.y});
@@ -316,6 +281,10 @@ void Viewport::continue_drag(Ui& ui, const ViewArea& area) {
 
 void Viewport::end_drag(Ui& ui, const ViewArea& area) {
   if (drag_ == Drag::Pick) click(ui, area);
+  if (drag_ == Drag::Measure) {
+    point_at(ui, area, drag_start_);
+    take_spot(ui.state.measure);
+  }
   if (drag_ == Drag::Box) select_box(ui, area);
   if (drag_ == Drag::Lasso) select_lasso(ui, area);
   drag_ = Drag::None;
@@ -326,6 +295,7 @@ void Viewport::hover(Ui& ui, const ViewArea& area, bool is_hovered) {
   if (drag_ != Drag::None) return;
   if (!is_hovered) {
     ui.state.hovered = -1;
+    ui.state.measure.hovered.reset();
     return;
   }
   ui.state.hovered_literal = ui.state.hovered_node = -1;
@@ -345,6 +315,7 @@ void Viewport::point_at(Ui& ui, const ViewArea& area, const std::array<float, 2>
   const bool groups = picks_groups(scene);
   ui.state.hovered = groups ? label : -1;
   if (!groups) ui.state.hovered_literal = label;
+  hover_spot(ui, area, mouse, ui.state.hovered);
 }
 
 void Viewport::click(Ui& ui, const ViewArea& area) {
@@ -368,9 +339,10 @@ void Viewport::select_box(Ui& ui, const ViewArea& area) {
   const Scene scene = build_scene(ui, area);
   if (picks_groups(scene)) {
     const auto groups =
-        groups_in(ids(scene, area), x(std::min(mouse.x, drag_start_[0])),
-                  y(std::min(mouse.y, drag_start_[1])), x(std::max(mouse.x, drag_start_[0])),
-                  y(std::max(mouse.y, drag_start_[1])), must_enclose);
+        groups_in(ids(scene, area),
+                  {x(std::min(mouse.x, drag_start_[0])), y(std::min(mouse.y, drag_start_[1])),
+                   x(std::max(mouse.x, drag_start_[0])), y(std::max(mouse.y, drag_start_[1]))},
+                  must_enclose);
     select_groups(ui, groups, combination());
   }
   ui.state.tool = Tool::Select;
@@ -418,11 +390,7 @@ void Viewport::draw_rubber_band(const Ui& ui) const {
   list.AddCircleFilled(from, 4 * ui.scale, accent);
   const std::string count =
       std::to_string(ui.state.knife.crossed) + (ui.state.knife.crossed == 1 ? " group" : " groups");
-  const ImVec2 at(mouse.x + 16 * ui.scale, mouse.y + 12 * ui.scale);
-  const ImVec2 size = ImGui::CalcTextSize(count.c_str());
-  list.AddRectFilled({at.x - 6, at.y - 3}, {at.x + size.x + 6, at.y + size.y + 3},
-                     ImGui::GetColorU32(ui.theme.raised), 4);
-  list.AddText(at, ImGui::GetColorU32(ui.theme.text), count.c_str());
+  draw_label(ui, mouse, count);
 }
 
 }  // namespace hewn

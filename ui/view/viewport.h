@@ -5,7 +5,7 @@
 #include <set>
 
 #include "ui/studio_state.h"
-#include "ui/tools/knife_handles.h"
+#include "ui/tools/plane_handles.h"
 #include "ui/view/look.h"
 #include "ui/view/scene.h"
 
@@ -23,11 +23,12 @@ class Viewport {
   bool wants_detail() const { return is_rough_ || waits_for_exact_; }
 
  private:
-  enum class Drag { None, Pick, Box, Lasso, Orbit, Pan, Knife, Handle };
+  enum class Drag { None, Pick, Box, Lasso, Orbit, Pan, Knife, Handle, Measure };
 
   void sync_meshes(Ui& ui);
   void sync_states(Ui& ui);
   void follow_mouse(Ui& ui, const ViewArea& area, bool is_hovered);
+  static Drag drag_of(Tool tool);
   void begin_drag(Ui& ui, const ViewArea& area);
   void continue_drag(Ui& ui, const ViewArea& area);
   void end_drag(Ui& ui, const ViewArea& area);
@@ -67,7 +68,7 @@ class Viewport {
   bool has_ids_ = false;
   std::set<int> hidden_;  ///< groups, when `ids_` was made
   Drag drag_ = Drag::None;
-  KnifeHandle handle_ = KnifeHandle::None;
+  PlaneHandle handle_ = PlaneHandle::None;
   std::vector<std::array<float, 2>> lasso_;  ///< window pixels
   int drag_button_ = 0;
   std::array<float, 2> drag_start_{}, last_mouse_{};
