@@ -72,8 +72,12 @@ void hide_others(Ui& ui) {
 
 void leave(Ui& ui) {
   StudioState& state = ui.state;
-  if (state.shows_palette || state.shows_keys || state.file.kind != FileRequest::Kind::None) {
-    state.shows_palette = state.shows_keys = false;
+  const bool is_open = state.shows_palette || state.shows_keys || state.shows_settings ||
+                       state.shows_log || state.leaving ||
+                       state.file.kind != FileRequest::Kind::None;
+  if (is_open) {
+    state.shows_palette = state.shows_keys = state.shows_settings = state.shows_log = false;
+    state.leaving.reset();
     state.file.kind = FileRequest::Kind::None;
   } else if (state.tool != Tool::Select) {
     state.take_up(Tool::Select);
@@ -111,9 +115,7 @@ void suggest(Ui& ui) {
   }
 }
 
-void open_sample(Ui& ui) {
-  if (ui.session.execute(OpenFile{ui.state.sample})) reset_view(ui.state);
-}
+void open_sample(Ui& ui) { request_open(ui, ui.state.sample); }
 
 void look(Ui& ui, StandardView view) { ui.state.camera.look(view); }
 
@@ -166,8 +168,7 @@ void add_file_actions(std::vector<Action>& out) {
   out.push_back({"File", "Picture of the window", kF12, 0,
                  "Write a PNG of the window into the working folder.", always,
                  put(&StudioState::wants_picture, true)});
-  out.push_back({"File", "Quit", 'Q', kCtrl, "Close the window.", always,
-                 put(&StudioState::wants_close, true)});
+  out.push_back({"File", "Quit", 'Q', kCtrl, "Close the window.", always, request_quit});
 }
 
 void add_edit_actions(std::vector<Action>& out) {
@@ -208,6 +209,8 @@ void add_edit_actions(std::vector<Action>& out) {
                  suggest});
   out.push_back(
       {"Edit", "Reconstruct", 'R', kCtrl, "Find the tree of the plan.", has_mesh, reconstruct});
+  out.push_back({"Edit", "Settings", ',', kCtrl, "Tune how groups and trees are found.", has_mesh,
+                 flip(&StudioState::shows_settings)});
   out.push_back({"Edit", "Live reconstruction", 'L', kCtrl,
                  "Find the tree anew after every change of the plan.", always,
                  [](Ui& ui) { ui.session.set_live(!ui.session.is_live()); }});
@@ -318,6 +321,8 @@ void add_show_actions(std::vector<Action>& out) {
          ui.state.palette_text.clear();
          ui.state.palette_at = 0;
        }});
+  out.push_back({"Help", "Log", 'J', kCtrl, "Show what was done and said in this session.", always,
+                 flip(&StudioState::shows_log)});
   out.push_back({"Help", "Keys", kF1, 0, "List all keys.", always, flip(&StudioState::shows_keys)});
   out.push_back({"Help", "Open the sample part", 0, 0, "Open a small part to try things on.",
                  [](const Ui& ui) { return !ui.state.sample.empty(); }, open_sample});
@@ -341,6 +346,8 @@ const char* key_name(int key) {
       return "-";
     case '.':
       return ".";
+    case ',':
+      return ",";
     case kEscape:
       return "Esc";
     case kEnter:
@@ -407,6 +414,35 @@ void select_groups(Ui& ui, const std::vector<int>& groups, Combine how) {
     if (!barred.contains(g)) shown.push_back(g);
   }
   ui.state.selected = combined(ui.state.selected, shown, how);
+}
+
+bool request_open(Ui& ui, const std::filesystem::path& path) {
+  if (ui.session.is_modified()) {
+    ui.state.leaving = Leaving{path};
+    return true;
+  }
+  const bool is_open = ui.session.execute(OpenFile{path}).has_value();
+  if (is_open) reset_view(ui.state);
+  return is_open;
+}
+
+void request_quit(Ui& ui) {
+  const bool was_asked = ui.state.leaving && ui.state.leaving->next.empty();
+  if (was_asked || !ui.session.is_modified()) {
+    ui.state.wants_close = true;
+  } else {
+    ui.state.leaving = Leaving{};
+  }
+}
+
+void leave_now(Ui& ui) {
+  const std::filesystem::path next = ui.state.leaving->next;
+  ui.state.leaving.reset();
+  if (next.empty()) {
+    ui.state.wants_close = true;
+  } else if (ui.session.execute(OpenFile{next})) {
+    reset_view(ui.state);
+  }
 }
 
 void reset_view(StudioState& state) {

@@ -1,5 +1,6 @@
 #pragma once
 /// Everything with a name: one table for menus, shortcuts, the palette and the list of keys.
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -37,6 +38,16 @@ const Action& action_named(const Ui& ui, const char* title);
 
 /// Hidden groups and those of locked partitions are left out of selections.
 void select_groups(Ui& ui, const std::vector<int>& groups, Combine how);
+
+/// Opens a mesh or project, or asks first when the plan is not saved. False: it cannot be opened;
+/// the notices say why.
+bool request_open(Ui& ui, const std::filesystem::path& path);
+
+/// Closes the window, or asks first when the plan is not saved; asked for again, it closes.
+void request_quit(Ui& ui);
+
+/// Carries out what was asked about, without saving. Requires: `leaving`.
+void leave_now(Ui& ui);
 
 /// Forgets what belongs to the part that was open before.
 void reset_view(StudioState& state);

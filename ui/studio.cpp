@@ -7,6 +7,7 @@
 
 #include "core/base/file.h"
 #include "core/session/describe.h"
+#include "ui/actions.h"
 #include "ui/panels/widgets.h"
 
 namespace hewn {
@@ -24,9 +25,7 @@ Studio::Studio(Session& session, RenderEngine& engine, const Fonts& fonts, float
   apply_theme(ui_.theme, scale);
 }
 
-void Studio::open(const std::filesystem::path& path) {
-  if (ui_.session.execute(OpenFile{path})) reset_view(state_);
-}
+void Studio::open(const std::filesystem::path& path) { request_open(ui_, path); }
 
 bool Studio::key(int key, int mods, bool is_down) {
   if (key == kSpace && mods == 0 && !is_typing()) {
@@ -157,6 +156,9 @@ void Studio::frame(float width, float height) {
   draw_exact_card(ui_, view);
   draw_hints(ui_, view);
   draw_recovery(ui_, view);
+  draw_settings(ui_, view);
+  draw_log(ui_, view);
+  draw_leave_card(ui_, view);
   draw_notices(ui_, view);
   draw_palette(ui_, window);
   draw_keys(ui_, window);
@@ -183,6 +185,9 @@ std::string Studio::status_line() const {
                         {"has_plane", state_.knife.plane.has_value()},
                         {"has_file_panel", state_.file.kind != FileRequest::Kind::None},
                         {"file_name", state_.file.name},
+                        {"is_asking", state_.leaving.has_value()},
+                        {"is_previewing", session.is_previewing()},
+                        {"measured", state_.measure.spots.size()},
                         {"hovered_literal", state_.hovered_literal},
                         {"hovered_result", state_.hovered_result},
                         {"active_field", state_.active_field},

@@ -52,6 +52,8 @@ struct MeasureState {
 struct KnifeState {
   bool is_dragging = false;
   std::array<float, 2> from{}, to{};  ///< window pixels
+  /// Where the line begins and ends on corners of the part.
+  std::optional<Vec3> from_corner, to_corner;
   std::optional<SnappedPlane> plane;
   int crossed = 0;  ///< groups that it would divide
   std::array<char, 32> offset_text{};
@@ -64,6 +66,12 @@ struct FileRequest {
   std::filesystem::path folder;
   std::string name;
   bool has_focus = false;
+};
+
+/// Going away from a plan that is not saved, while the user is asked.
+struct Leaving {
+  std::filesystem::path next;  ///< what is to be opened; empty: the window is to close
+  bool is_saving = false;      ///< it is being saved first
 };
 
 struct StudioState {
@@ -99,9 +107,12 @@ struct StudioState {
   bool shows_palette = false;
   bool shows_keys = false;
   bool shows_settings = false;
+  std::string settings_filter;
+  bool shows_log = false;
   bool shows_hints = true;
   int hint = 0;  ///< next of the four hints
   FileRequest file;
+  std::optional<Leaving> leaving;
   std::string palette_text;
   int palette_at = 0;
   PartitionPath renaming;

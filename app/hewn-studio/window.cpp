@@ -7,7 +7,9 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -82,6 +84,28 @@ Result<GLFWwindow*> make_window(const WindowOptions& options) {
                            glfw_reason())};
 }
 
+/// While it lives, an exit() from below carries out a last action. The library that talks to the
+/// display makes one when the display goes; nothing of ours is told otherwise.
+class Rescue {
+ public:
+  explicit Rescue(std::function<void()> action) {
+    last_action() = std::move(action);  // before the registration, so that it goes after it
+    static const int registered = std::atexit([] {
+      if (last_action()) last_action()();
+    });
+    static_cast<void>(registered);
+  }
+  ~Rescue() { last_action() = nullptr; }
+  Rescue(const Rescue&) = delete;
+  Rescue& operator=(const Rescue&) = delete;
+
+ private:
+  static std::function<void()>& last_action() {
+    static std::function<void()> action;
+    return action;
+  }
+};
+
 struct KeyEvent {
   int key = 0, scancode = 0, action = 0, mods = 0;
 };
@@ -98,6 +122,11 @@ class Window {
         autosave_(state_folder() / "recovery") {
     glfwSetWindowUserPointer(window, this);
     glfwSetKeyCallback(window, on_key);
+    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
+      self(w).touch();
+      glfwSetWindowShouldClose(w, GLFW_FALSE);
+      request_quit(self(w).studio_.ui());
+    });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned c) {
       self(w).touch();
       ImGui_ImplGlfw_CharCallback(w, c);
@@ -135,6 +164,7 @@ class Window {
     session_.set_live(options_.is_live);
     session_.set_background_edits(true);
     open_first(is_first_run);
+    const Rescue rescue([this] { rescue_plan(); });
     while (!glfwWindowShouldClose(window_)) step();
     static_cast<void>(studio_.save_settings(settings));
     if (options_.has_frame_stats) std::printf("%s\n", stats_.summary().c_str());
@@ -312,6 +342,18 @@ class Window {
       std::filesystem::remove(std::exchange(recovered, {}), ignored);
     }
     if (!done) session_.notify(Severity::Warning, "no copy of the plan: " + done.error().message);
+  }
+
+  /// The process is ending without being asked to. Workers may still run, so nothing is torn down.
+  void rescue_plan() {
+    const bool is_modified = session_.is_modified();
+    const bool is_kept =
+        is_modified && autosave_.keep(session_.document().project, Autosave::Clock::now());
+    std::fprintf(stderr, "hewn-studio: the display is gone%s\n",
+                 is_kept       ? "; the plan is kept, the next start offers it"
+                 : is_modified ? "; the plan could not be kept"
+                               : "; nothing was unsaved");
+    std::_Exit(1);
   }
 
   GLFWwindow* window_;

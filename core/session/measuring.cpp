@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -89,37 +88,6 @@ void add_parts(std::vector<Dimension>& out, const Vec3& v) {
   for (int k = 0; k < 3; ++k) out.push_back({std::string(1, "xyz"[k]), v[k]});
 }
 
-/// The corners of a group's triangles within reach of the point.
-std::set<int> vertices_near(const PreparedMesh& prepared, int group, const Vec3& p, double reach) {
-  std::set<int> near;
-  for (const int t : prepared.segmentation.groups[group].triangles) {
-    for (const int v : prepared.mesh->triangles[t]) {
-      if ((prepared.mesh->vertices[v] - p).squaredNorm() <= reach * reach) near.insert(v);
-    }
-  }
-  return near;
-}
-
-/// The nearest vertex within reach that another group has, too; -1: none.
-int corner_near(const PreparedMesh& prepared, int group, const Vec3& p, double reach) {
-  const std::set<int> near = vertices_near(prepared, group, p, reach);
-  if (near.empty()) return -1;
-  int best = -1;
-  double best_distance = kInfinity;
-  const auto& triangles = prepared.mesh->triangles;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (prepared.segmentation.group_of_triangle[t] == group) continue;
-    for (const int v : triangles[t]) {
-      if (!near.contains(v)) continue;
-      const double distance = (prepared.mesh->vertices[v] - p).norm();
-      if (distance >= best_distance) continue;
-      best_distance = distance;
-      best = v;
-    }
-  }
-  return best;
-}
-
 /// Where the ray first meets the group on the side that is seen.
 std::optional<Vec3> seen_point(const PreparedMesh& prepared, const Pointing& pointing) {
   constexpr int kMostLayers = 1000;
@@ -140,12 +108,33 @@ std::optional<Vec3> seen_point(const PreparedMesh& prepared, const Pointing& poi
 
 }  // namespace
 
+std::vector<Corner> corners_of(const PreparedMesh& prepared) {
+  const Mesh& mesh = *prepared.mesh;
+  std::vector<std::pair<int, int>> touching;  // vertex, group
+  touching.reserve(3 * mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const int group = prepared.segmentation.group_of_triangle[t];
+    if (group < 0) continue;
+    for (const int v : mesh.triangles[t]) touching.emplace_back(v, group);
+  }
+  std::sort(touching.begin(), touching.end());
+  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+  std::vector<Corner> corners;
+  for (std::size_t i = 0, end = 0; i < touching.size(); i = end) {
+    const int vertex = touching[i].first;
+    while (end < touching.size() && touching[end].first == vertex) ++end;
+    if (end - i < 2) continue;
+    Corner corner{mesh.vertices[vertex], {}};
+    for (std::size_t k = i; k < end; ++k) corner.groups.push_back(touching[k].second);
+    corners.push_back(std::move(corner));
+  }
+  return corners;
+}
+
 std::optional<Spot> spot_at(const PreparedMesh& prepared, const Pointing& pointing) {
   const auto at = seen_point(prepared, pointing);
   if (!at) return {};
-  const int corner = corner_near(prepared, pointing.group, *at, pointing.reach);
-  if (corner < 0) return Spot{*at, pointing.group, false};
-  return Spot{prepared.mesh->vertices[corner], pointing.group, true};
+  return Spot{*at, pointing.group, false};
 }
 
 std::vector<Dimension> dimensions_of(const PreparedMesh& prepared, const Spot& spot) {

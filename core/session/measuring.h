@@ -8,11 +8,20 @@
 
 namespace hewn {
 
+/// A vertex between face groups.
+struct Corner {
+  Vec3 at = Vec3::Zero();
+  std::vector<int> groups;  ///< ascending, two at least
+};
+
+/// All of a mesh. Cost: O(n log n).
+std::vector<Corner> corners_of(const PreparedMesh& prepared);
+
 /// A place of the mesh that was pointed at.
 struct Spot {
   Vec3 at = Vec3::Zero();
   int group = -1;
-  /// It lies on an edge between groups and is meant itself; else the surface of its group is.
+  /// It is a corner and meant itself; else the surface of its group is.
   bool is_corner = false;
 };
 
@@ -20,14 +29,12 @@ struct Spot {
 struct Pointing {
   Vec3 origin, direction;  ///< model coordinates; the direction is unit
   int group = -1;
-  double reach = 0;  ///< corners that are no further away from the ray's end catch it
   /// What lies beyond this plane is not seen: points with normal . x > offset.
   Vec3 cut_normal = Vec3::Zero();
   double cut_offset = kInfinity;
 };
 
-/// The place that a ray meets; nothing when it misses the group.
-/// Cost: a few ray casts, and one pass over the triangles when a corner is near.
+/// The place that a ray meets; nothing when it misses the group. Cost: a few ray casts.
 std::optional<Spot> spot_at(const PreparedMesh& prepared, const Pointing& pointing);
 
 /// A number and where a line in the part shows it.

@@ -45,6 +45,10 @@ Result<void> Autosave::update(const Project& project, bool is_modified, Clock::t
     return {};
   }
   if (last_ && now - *last_ < kInterval) return {};
+  return keep(project, now);
+}
+
+Result<void> Autosave::keep(const Project& project, Clock::time_point now) {
   std::error_code ignored;
   std::filesystem::create_directories(folder_, ignored);
   std::string text = project_text(project, folder_);

@@ -26,6 +26,8 @@ class Autosave {
   /// copy away when there is nothing unsaved. Fails with: FileWrite; the copy before stays, and the
   /// next try is a minute later.
   Result<void> update(const Project& project, bool is_modified, Clock::time_point now);
+  /// Writes the plan now, unless the copy is the same. Fails with: FileWrite.
+  Result<void> keep(const Project& project, Clock::time_point now);
   const std::filesystem::path& file() const { return file_; }
 
  private:

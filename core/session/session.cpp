@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/counted.h"
 #include "core/base/file.h"
 #include "core/compute/compute.h"
 #include "core/session/tree_file.h"
@@ -14,6 +15,7 @@ namespace {
 
 /// The newest results stay; each holds a few hundred kilobytes beside the shared mesh.
 constexpr std::size_t kMostResults = 64;
+constexpr std::size_t kMostNotes = 1000;
 
 std::string text_of(const Error& error) {
   return error.where.empty() ? error.message : error.where + ": " + error.message;
@@ -72,7 +74,7 @@ Result<void> Session::execute(const SessionCommand& command) {
   }
   Result<void> done = carry_out(command);
   if (done) {
-    log_ += command_to_line(command) + "\n";
+    record(command);
   } else {
     report(done.error());
   }
@@ -133,7 +135,7 @@ void Session::finish_edit(const SessionCommand& command, std::uint64_t edition,
     waiting_.push_front(command);
   } else if (next) {
     history_.push(title_of(command), std::move(*next));
-    log_ += command_to_line(command) + "\n";
+    record(command);
     plan_changed();
   } else {
     report(next.error());
@@ -156,6 +158,7 @@ void Session::cancel_jobs() {
   if (board_) board_->stop();
   jobs_.cancel_all();
   edits_.cancel_all();
+  views_.drop_unmade();
   drop_edit();
 }
 
@@ -199,8 +202,8 @@ Result<void> Session::open(const std::filesystem::path& path) {
   cancel_jobs();
   results_.clear();
   draft_ = {};
-  last_result_ = view_of_ = nullptr;
-  view_ = nullptr;
+  last_result_ = preview_ = nullptr;
+  views_.clear();
   display_of_ = nullptr;
   display_ = nullptr;
   saved_plan_ = plan_text(document.project);
@@ -355,13 +358,13 @@ void Session::search_variants() {
   for (const int starts : {1, 8}) {
     Project variant = project;
     variant.settings.tree.starts = starts;
-    add(variant, fmt::format("{} start{}", starts, starts == 1 ? "" : "s"));
+    add(variant, counted(starts, "start", "starts"));
   }
   for (const int rounds : {0, 1}) {
     Project variant = project;
     variant.settings.tree.rounds = rounds;
     variant.settings.tree.stray_rounds = 0;
-    add(variant, fmt::format("{} rounds", rounds));
+    add(variant, counted(rounds, "round", "rounds"));
   }
   Project narrow = project;
   narrow.settings.tree.beam_width = 2;
@@ -382,33 +385,14 @@ void Session::adopt_result(const DrawnResult& drawn) {
   results_.push_back(result);
   if (results_.size() > kMostResults) results_.erase(results_.begin());
   if (result->plan == plan() || !last_result_) last_result_ = result;
+  note(Severity::Info,
+       fmt::format("Found ({})  {} literals, size {}, proximity {:.3f}, {:.2f} s", result->source,
+                   literal_count(result->found.tree), tree_size(result->found.tree),
+                   result->found.score.proximity, result->seconds));
   if (draft_.result && draft_.result->plan == result->plan) draft_ = {};
   if (!wants_views_) return;
-  if (drawn.view && result == shown_result()) {
-    view_of_ = result;
-    view_ = drawn.view;
-  } else {
-    start_view(shown_result());
-  }
-}
-
-void Session::start_view(const std::shared_ptr<const FoundResult>& result) {
-  if (!result || view_of_ == result) return;
-  view_of_ = result;
-  view_ = nullptr;
-  jobs_.add("drawing the result", [this, result](const RunContext& run) -> JobCompletion {
-    auto view = build_result_view(result->found, run);
-    return [this, result, outcome = std::move(view)]() mutable {
-      ++revision_;
-      if (view_of_ != result) return;
-      if (outcome) {
-        view_ = std::make_shared<const ResultView>(std::move(*outcome));
-      } else {
-        view_of_ = nullptr;
-        if (outcome.error().code != ErrorCode::Cancelled) report(outcome.error());
-      }
-    };
-  });
+  if (drawn.view) views_.put(result, drawn.view);
+  views_.want(shown_result(), jobs_);
 }
 
 Result<void> Session::export_tree(const ExportTree& command) {
@@ -501,9 +485,24 @@ bool Session::shows_draft() const {
   return draft_.result && draft_.result->plan == plan() && !current_result();
 }
 
+void Session::preview(const std::shared_ptr<const FoundResult>& result) {
+  if (result == preview_ || !wants_views_) return;
+  ++revision_;
+  if (preview_job_ > 0) {
+    edits_.cancel(preview_job_);
+    views_.drop_unmade(preview_);
+  }
+  preview_ = result;
+  preview_job_ = views_.want(result, edits_);
+}
+
+std::shared_ptr<const FoundResult> Session::viewed_result() const {
+  return preview_ && views_.find(preview_) ? preview_ : shown_result();
+}
+
 std::shared_ptr<const ResultView> Session::result_view() const {
-  if (shows_draft()) return draft_.view;
-  return view_of_ && view_of_ == shown_result() ? view_ : nullptr;
+  const auto viewed = viewed_result();
+  return viewed && viewed == draft_.result ? draft_.view : views_.find(viewed);
 }
 
 void Session::set_live(bool is_live) {
@@ -521,7 +520,8 @@ bool Session::poll() {
   bool changed = edits_.poll();
   changed |= jobs_.poll();
   // Undo and redo may bring back another result than the one that is drawn.
-  if (wants_views_ && !shows_draft() && shown_result() != view_of_) start_view(shown_result());
+  if (wants_views_ && !shows_draft()) views_.want(shown_result(), jobs_);
+  if (changed) ++revision_;
   return changed;
 }
 
@@ -546,7 +546,19 @@ void Session::notify(Severity severity, std::string text) {
   ++revision_;
   const bool is_shown = std::any_of(notices_.begin(), notices_.end(),
                                     [&text](const Notice& n) { return n.text == text; });
+  note(severity, text);
   if (!is_shown) notices_.push_back({severity, std::move(text)});
+}
+
+void Session::record(const SessionCommand& command) {
+  const std::string line = command_to_line(command);
+  log_ += line + "\n";
+  note(Severity::Info, fmt::format("{}  {}", title_of(command), line));
+}
+
+void Session::note(Severity severity, std::string text) {
+  if (journal_.size() == kMostNotes) journal_.erase(journal_.begin());
+  journal_.push_back({severity, std::move(text)});
 }
 
 void Session::dismiss(std::size_t notice) {

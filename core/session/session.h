@@ -17,6 +17,7 @@
 #include "core/session/job_queue.h"
 #include "core/session/part_board.h"
 #include "core/session/plan_search.h"
+#include "core/session/result_views.h"
 
 namespace hewn {
 
@@ -84,7 +85,12 @@ class Session {
   std::shared_ptr<const FoundResult> shown_result() const;
   /// Whether the shown result is one that was found on the way: a better one may follow.
   bool shows_draft() const;
-  /// What is drawn of the shown result; null until its job is done.
+  /// Looks at another result for now, as at a point of the Pareto front; null: no more. No command.
+  void preview(const std::shared_ptr<const FoundResult>& result);
+  bool is_previewing() const { return preview_ != nullptr; }
+  /// The result that is looked at, as soon as it can be drawn; else the shown one.
+  std::shared_ptr<const FoundResult> viewed_result() const;
+  /// What is drawn of the viewed result; null until its job is done.
   std::shared_ptr<const ResultView> result_view() const;
   /// The partitions of the document with their groups; see `partition_views`.
   const std::vector<PartitionView>& partitions() const;
@@ -100,6 +106,8 @@ class Session {
   const std::vector<Notice>& notices() const { return notices_; }
   void notify(Severity severity, std::string text);
   void dismiss(std::size_t notice);
+  /// What was done and said, oldest first: commands, and notices that were dismissed, too.
+  const std::vector<Notice>& journal() const { return journal_; }
   /// Set by errors since the last call; a replay stops there.
   bool take_failed() { return std::exchange(has_failed_, false); }
 
@@ -124,11 +132,12 @@ class Session {
   void adopt_source(const Project& project, Result<Document> read);
   void adopt_draft(const DrawnResult& draft);
   void adopt_result(const DrawnResult& drawn);
-  void start_view(const std::shared_ptr<const FoundResult>& result);
   std::shared_ptr<const FoundResult> result_for(const std::string& plan) const;
   std::shared_ptr<const FoundResult> unedited_result() const;
   int add_search(const Project& project, const std::string& source);
   void report(const Error& error);
+  void note(Severity severity, std::string text);
+  void record(const SessionCommand& command);
   const std::string& plan() const;
 
   /// What is derived from the document again and again, kept until it changes.
@@ -147,8 +156,9 @@ class Session {
   std::vector<std::shared_ptr<const FoundResult>> results_;
   std::shared_ptr<const FoundResult> last_result_;
   DrawnResult draft_;  ///< of the search that runs
-  std::shared_ptr<const FoundResult> view_of_;
-  std::shared_ptr<const ResultView> view_;
+  ResultViews views_{[this](const Error& error) { report(error); }};
+  std::shared_ptr<const FoundResult> preview_;
+  int preview_job_ = 0;
   bool wants_views_ = true;
   std::string failure_;
   int search_job_ = 0;
@@ -159,7 +169,7 @@ class Session {
   std::vector<int> variant_jobs_;
   std::shared_ptr<const PreparedMesh> display_of_;
   std::shared_ptr<const DisplayMesh> display_;
-  std::vector<Notice> notices_;
+  std::vector<Notice> notices_, journal_;
   bool has_failed_ = false;
   bool has_background_edits_ = false;
   bool is_editing_ = false;

@@ -117,10 +117,15 @@ open_window() {
   until_true "the window" xdotool search --name "Hewn Studio" >/dev/null
   until_true "its state" grep -q ready "$folder/status.json"
 }
+is_gone() { ! kill -0 "$pid" 2>/dev/null; }
+is_gone_or_asks() { is_gone || is is_asking true; }
+# Asked to close an unsaved plan, the window asks back; asked again, it closes.
 close_window() {
   key ctrl+q
+  soon is_gone_or_asks
+  is_gone || key ctrl+q
   for _ in $(seq 300); do
-    kill -0 "$pid" 2>/dev/null || break
+    is_gone && break
     sleep 0.1
   done
   wait "$pid" || fail "the window ended with $?"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# A window that is killed leaves its plan behind; the next one gives it back by one click.
+# A window that is killed, or whose display goes, leaves its plan behind; the next one gives it back by
+# one click.
 # Usage: recover.sh STUDIO MESH FOLDER
 set -euo pipefail
 studio=$1 mesh=$2 folder=$3
@@ -40,4 +41,31 @@ until_true "the lost partition" is partitions 1
 close_window
 left=$(find "$folder/state/hewn/recovery" -name 'unsaved-*.json' | wc -l)
 [ "$left" = 0 ] || fail "$left copies were left behind by a window that was closed"
-echo "ok: the plan came back after kill -9"
+
+# A display of its own, which goes away under the window.
+mkfifo display
+Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3<>display >/dev/null 2>&1 &
+server=$!
+read -r number <display
+export DISPLAY=:$number
+open_window part.off --no-live
+until_true "the groups" is ready true
+xdotool mousemove 600 400
+key ctrl+a
+until_true "selected groups" at_least selected 1
+key p
+until_true "the partition" is partitions 1
+until_true "a copy" bash -c "ls '$folder'/state/hewn/recovery/unsaved-*.json >/dev/null"
+key k
+drag 600 150 604 700
+until_true "a plane" is has_plane true
+key Return
+until_true "the cut" is cuts 1
+kill "$server"
+code=0
+wait "$pid" || code=$?
+[ "$code" = 1 ] || fail "the window without a display ended with $code"
+grep -q "the display is gone; the plan is kept" studio.txt || fail "it did not say what happened"
+# The copy of a moment ago had no cut, and the next was due in a minute.
+grep -q '"cuts"' state/hewn/recovery/unsaved-*.json || fail "the last change was lost"
+echo "ok: the plan came back after kill -9, and is kept when the display goes"

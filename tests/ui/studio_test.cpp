@@ -210,6 +210,71 @@ TEST_CASE("sections go through the middle across x, y and z in turn") {
   CHECK(!bench.state().section);
 }
 
+TEST_CASE("a plan that is not saved is asked about before it goes") {
+  Bench bench;
+  const int quit = 'Q';
+  bench.state().selected = {bench.hole_group()};
+  REQUIRE(bench.key('P', kShift));
+  CHECK(bench.key(quit, kCtrl));
+  CHECK_FALSE(bench.state().wants_close);
+  REQUIRE(bench.state().leaving);
+  CHECK(bench.key(kEscape));
+  CHECK_FALSE(bench.state().leaving);
+  // Another mesh does not take its place unasked.
+  const std::filesystem::path mesh = bench.session().document().project.mesh;
+  CHECK(request_open(bench.studio().ui(), mesh));
+  REQUIRE(bench.state().leaving);
+  CHECK(bench.session().document().project.root.children.size() == 1);
+  leave_now(bench.studio().ui());
+  CHECK_FALSE(bench.state().leaving);
+  bench.session().wait();
+  CHECK(bench.session().document().project.root.children.empty());
+  // Nothing is unsaved now.
+  CHECK(bench.key(quit, kCtrl));
+  CHECK(bench.state().wants_close);
+}
+
+TEST_CASE("asked to quit once more, the window closes") {
+  Bench bench;
+  bench.state().selected = {bench.hole_group()};
+  REQUIRE(bench.key('P', kShift));
+  CHECK(bench.key('Q', kCtrl));
+  CHECK(bench.key('Q', kCtrl));
+  CHECK(bench.state().wants_close);
+}
+
+TEST_CASE("settings are found by name, changed by commands and undone") {
+  Bench bench;
+  CHECK(bench.key(',', kCtrl));
+  REQUIRE(bench.state().shows_settings);
+  bench.state().settings_filter = "--regularise-round-values";
+  bench.frames(3);
+  const auto is_round = [&bench] {
+    return bench.session().document().project.settings.regularise.round_values;
+  };
+  REQUIRE(is_round());
+  // The one box that is left stands somewhere in the panel's column of values.
+  const float x = 1280 - bench.state().right_width - 200;
+  for (float y = 140; y < 400 && is_round(); y += 6) bench.click(x, y);
+  CHECK_FALSE(is_round());
+  CHECK(bench.key('Z', kCtrl));
+  CHECK(is_round());
+  CHECK(bench.key(kEscape));
+  CHECK_FALSE(bench.state().shows_settings);
+}
+
+TEST_CASE("every option is on the settings panel, and the log opens") {
+  Bench bench;
+  CHECK(bench.key(',', kCtrl));
+  bench.state().settings_filter = "-";  // all sections open
+  bench.frames(3);
+  CHECK(bench.key('J', kCtrl));
+  bench.frames(3);
+  CHECK(bench.state().shows_log);
+  CHECK(bench.key(kEscape));
+  CHECK_FALSE(bench.state().shows_log);
+}
+
 TEST_CASE("the text of both themes can be read") {
   const auto luminance = [](const ImVec4& c) {
     const glm::vec3 l = to_linear(c);

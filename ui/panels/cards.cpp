@@ -167,7 +167,7 @@ void draw_deviation_legend(Ui& ui, const PanelArea& view) {
 }
 
 void draw_exact_card(Ui& ui, const PanelArea& view) {
-  const ShowMode show = ui.state.is_comparing ? ShowMode::Input : ui.state.show;
+  const ShowMode show = shown_mode(ui);
   const bool shows_result = show == ShowMode::Result || show == ShowMode::Overlay;
   if (!shows_result || !ui.session.result_view()) return;
   const ExactNow& now = ui.state.exact_now;

@@ -39,22 +39,25 @@ std::vector<Entry> list_folder(const FileRequest& file) {
   return entries;
 }
 
+std::filesystem::path path_of(const FileRequest& file) {
+  const std::filesystem::path name(file.name);
+  return name.is_absolute() ? name : file.folder / name;
+}
+
 void finish(Ui& ui) {
   FileRequest& file = ui.state.file;
-  const std::filesystem::path path = std::filesystem::path(file.name).is_absolute()
-                                         ? std::filesystem::path(file.name)
-                                         : file.folder / file.name;
+  const std::filesystem::path path = path_of(file);
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     file.folder = path;
     file.name.clear();
     return;
   }
-  Result<void> done;
   if (file.kind == Kind::Open) {
-    done = ui.session.execute(OpenFile{path});
-    if (done) reset_view(ui.state);
+    if (request_open(ui, path)) file.kind = Kind::None;
+    return;
   }
+  Result<void> done;
   if (file.kind == Kind::SaveProject) done = ui.session.execute(SaveProject{path});
   if (file.kind == Kind::Export) done = ui.session.execute(ExportTree{path});
   if (done) file.kind = Kind::None;
@@ -114,6 +117,13 @@ void draw_file_panel(Ui& ui, const PanelArea& window) {
   const bool is_pressed = ImGui::Button(verb, {ui.px(80), 0});
   ImGui::SameLine();
   const bool is_cancelled = ImGui::Button("Cancel", {ui.px(80), 0});
+  std::error_code ignored;
+  const bool is_writing = file.kind != Kind::Open && !file.name.empty();
+  if (is_writing && std::filesystem::is_regular_file(path_of(file), ignored)) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.warning);
+    ImGui::TextUnformatted("There is a file of this name; it will be replaced.");
+    ImGui::PopStyleColor();
+  }
   end_card();
   if (is_cancelled) file.kind = Kind::None;
   if ((is_enter || is_pressed) && !file.name.empty()) finish(ui);

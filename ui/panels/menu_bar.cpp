@@ -17,7 +17,7 @@ void draw_menu(Ui& ui, const char* menu) {
     ImGui::Separator();
     for (const auto& path : std::vector(ui.state.recent)) {
       if (ImGui::MenuItem(path.filename().string().c_str())) {
-        if (ui.session.execute(OpenFile{path})) reset_view(ui.state);
+        request_open(ui, path);
       }
       if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", path.string().c_str());
     }

@@ -29,6 +29,9 @@ void draw_deviation_legend(Ui& ui, const PanelArea& view);  ///< while deviation
 void draw_exact_card(Ui& ui, const PanelArea& view);        ///< how the result is drawn
 void draw_notices(Ui& ui, const PanelArea& view);           ///< upper right of the part
 void draw_recovery(Ui& ui, const PanelArea& view);          ///< after a crash
+void draw_leave_card(Ui& ui, const PanelArea& view);        ///< asks before unsaved work goes
+void draw_log(Ui& ui, const PanelArea& view);               ///< what was done and said
+void draw_settings(Ui& ui, const PanelArea& view);          ///< every tunable
 void draw_hints(Ui& ui, const PanelArea& view);             ///< first steps
 void draw_palette(Ui& ui, const PanelArea& window);         ///< find a command
 void draw_keys(Ui& ui, const PanelArea& window);            ///< list of keys

@@ -105,6 +105,7 @@ void draw_pareto(Ui& ui) {
   faint_text(ui, "Blue is exact, red is not. Hollow: another tree is better in all. Click takes.");
   ImGui::PopTextWrapPos();
   ImGui::PopFont();
+  ui.session.preview(nearest);
   if (!nearest) return;
   ui.state.hovered_result = nearest->source;
   ImGui::SetTooltip(

@@ -97,6 +97,12 @@ void draw_row_menu(Ui& ui, const PartitionView& view, const PartProgress* progre
       static_cast<void>(ui.session.execute(MovePartition{view.path, parent, view.path.back() - 1}));
       ui.state.active_partition.clear();
     }
+    const PartitionPlan* siblings = find_partition(ui.session.document().project.root, parent);
+    const int last = siblings ? static_cast<int>(siblings->children.size()) - 1 : 0;
+    if (ImGui::MenuItem("Move down", nullptr, false, view.path.back() < last)) {
+      static_cast<void>(ui.session.execute(MovePartition{view.path, parent, view.path.back() + 1}));
+      ui.state.active_partition.clear();
+    }
     if (ImGui::MenuItem("Remove", "Del")) {
       static_cast<void>(ui.session.execute(RemovePartition{view.path}));
       ui.state.active_partition.clear();

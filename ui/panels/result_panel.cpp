@@ -178,6 +178,8 @@ void draw_result_panel(Ui& ui, const PanelArea& area) {
     if (ImGui::BeginTabItem("Pareto")) {
       draw_pareto(ui);
       ImGui::EndTabItem();
+    } else {
+      ui.session.preview(nullptr);
     }
     ImGui::EndTabBar();
   }

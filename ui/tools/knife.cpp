@@ -11,6 +11,11 @@ namespace {
 constexpr double kSnapAngle_rad = 0.09;  // 5 degrees
 constexpr double kSnapReach_px = 7;
 
+std::array<float, 2> pixel_of(const Ui& ui, const ViewArea& area, const Vec3& model) {
+  const ImVec2 at = to_pixel(ui, area, model);
+  return {at.x, at.y};
+}
+
 /// Where the ray meets the plane through the target that faces the camera.
 Vec3 on_target_plane(const Ui& ui, const ViewRay& ray) {
   const Vec3 back = ui.state.camera.back();
@@ -35,28 +40,33 @@ void set_knife_plane(Ui& ui, const SnappedPlane& plane) {
 
 void aim_knife(Ui& ui, const ViewArea& area) {
   if (!ui.session.document().is_ready()) return;
+  const bool is_free = ImGui::GetIO().KeyAlt;
   const KnifeState& knife = ui.state.knife;
-  const Vec3 a = on_target_plane(ui, ray_at(ui, area, knife.from));
-  const Vec3 b = on_target_plane(ui, ray_at(ui, area, knife.to));
-  const std::array<float, 2> middle = {(knife.from[0] + knife.to[0]) / 2,
-                                       (knife.from[1] + knife.to[1]) / 2};
+  const auto from_corner = is_free ? std::nullopt : knife.from_corner;
+  const auto to_corner = is_free ? std::nullopt : knife.to_corner;
+  const auto corner = to_corner ? to_corner : from_corner;
+  const auto from = from_corner ? pixel_of(ui, area, *from_corner) : knife.from;
+  const auto to = to_corner ? pixel_of(ui, area, *to_corner) : knife.to;
+  const Vec3 a = on_target_plane(ui, ray_at(ui, area, from));
+  const Vec3 b = on_target_plane(ui, ray_at(ui, area, to));
+  const std::array<float, 2> middle = {(from[0] + to[0]) / 2, (from[1] + to[1]) / 2};
   const ViewRay ray = ray_at(ui, area, middle);
   const Vec3 through_eye = (b - a).cross(ray.direction);
   if (!(through_eye.norm() > 0)) return;
   const PreparedMesh& prepared = *ui.session.document().prepared;
-  const Vec3 through = (a + b) / 2 + prepared.mesh->bounds.center();
-  const bool is_free = ImGui::GetIO().KeyAlt;
-  const double reach = is_free ? 0 : kSnapReach_px * ui.state.camera.unit_per_pixel(area.height);
+  const Vec3 through = corner ? *corner : Vec3((a + b) / 2 + prepared.mesh->bounds.center());
+  const bool keeps_offset = is_free || corner;
+  const double reach =
+      keeps_offset ? 0 : kSnapReach_px * ui.state.camera.unit_per_pixel(area.height);
   // What the line means is judged as if it were seen without perspective: a line along an axis
   // stands for a plane along it, off the middle of the picture as well.
   const Vec3 flat = (b - a).cross(-ui.state.camera.back());
-  const SnappedPlane snapped =
-      snap_plane(prepared, flat, through, is_free ? 0 : kSnapAngle_rad, reach);
+  SnappedPlane snapped = snap_plane(prepared, flat, through, is_free ? 0 : kSnapAngle_rad, reach);
   const bool has_direction = angle_between(snapped.normal, flat.normalized()) > 0 ||
                              snapped.snapped_to.find("axis") != std::string::npos;
-  set_knife_plane(ui, has_direction && !is_free
-                          ? snapped
-                          : snap_plane(prepared, through_eye, through, 0, reach));
+  if (!has_direction || is_free) snapped = snap_plane(prepared, through_eye, through, 0, reach);
+  if (corner) snapped.snapped_to += snapped.snapped_to.empty() ? "corner" : ", corner";
+  set_knife_plane(ui, snapped);
 }
 
 }  // namespace hewn

@@ -5,8 +5,9 @@
 
 namespace hewn {
 
-/// The plane through the line from `knife.from` to `knife.to` and the eye, snapped; Alt leaves it
-/// as drawn. Counts the groups that it would divide.
+/// The plane through the line from `knife.from` to `knife.to` and the eye, snapped to corners at
+/// the line's ends, to directions, and to what lies near; Alt leaves it as drawn. Counts the groups
+/// that it would divide.
 void aim_knife(Ui& ui, const ViewArea& area);
 
 /// Puts another plane in place, as a number entry does.

@@ -8,8 +8,6 @@
 namespace hewn {
 namespace {
 
-constexpr double kReach_px = 8;
-
 /// Those that were taken and the one that would be next.
 std::vector<Spot> spots_now(const MeasureState& measure) {
   std::vector<Spot> spots = measure.spots;
@@ -23,16 +21,18 @@ bool is_measuring(const Ui& ui) {
 
 }  // namespace
 
-void hover_spot(Ui& ui, const ViewArea& area, const std::array<float, 2>& pixel, int group) {
+void hover_spot(Ui& ui, const ViewArea& area, const std::array<float, 2>& pixel, int group,
+                const Corner* corner) {
   ui.state.measure.hovered.reset();
-  if (group < 0 || !is_measuring(ui)) return;
+  if (!is_measuring(ui)) return;
+  if (corner) ui.state.measure.hovered = Spot{corner->at, corner->groups.front(), true};
+  if (corner || group < 0) return;
   const PreparedMesh& prepared = *ui.session.document().prepared;
   const ViewRay ray = ray_at(ui, area, pixel);
   Pointing pointing;
   pointing.origin = ray.origin + prepared.mesh->bounds.center();
   pointing.direction = ray.direction;
   pointing.group = group;
-  pointing.reach = kReach_px * ui.scale * ui.state.camera.unit_per_pixel(area.height);
   if (const auto& section = ui.state.section) {
     pointing.cut_normal = section->normal;
     pointing.cut_offset = section->offset;

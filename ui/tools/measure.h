@@ -8,8 +8,10 @@
 
 namespace hewn {
 
-/// Takes note of the place of a group under a window pixel; group -1: nothing is there.
-void hover_spot(Ui& ui, const ViewArea& area, const std::array<float, 2>& pixel, int group);
+/// Takes note of the place under a window pixel: a corner if there is one (else null), or a place
+/// of the group that is seen there (-1: none).
+void hover_spot(Ui& ui, const ViewArea& area, const std::array<float, 2>& pixel, int group,
+                const Corner* corner);
 
 /// Adds the place under the mouse; a third begins anew, a click beside the part forgets all.
 void take_spot(MeasureState& measure);

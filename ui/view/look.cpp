@@ -70,7 +70,7 @@ glm::vec4 scene_plane(const Vec3& normal, double offset, const Vec3& origin) {
 }
 
 void add_items(const Ui& ui, Scene& scene) {
-  const ShowMode show = ui.state.is_comparing ? ShowMode::Input : ui.state.show;
+  const ShowMode show = shown_mode(ui);
   const auto view = ui.session.result_view();
   const bool has_surface = view && !view->surface.corners.empty();
   SceneItem input;
@@ -116,8 +116,14 @@ void set_colours(const Ui& ui, Scene& scene) {
 
 }  // namespace
 
+ShowMode shown_mode(const Ui& ui) {
+  if (ui.state.is_comparing) return ShowMode::Input;
+  const bool hides_result = ui.state.show == ShowMode::Input;
+  return hides_result && ui.session.is_previewing() ? ShowMode::Result : ui.state.show;
+}
+
 bool shows_deviation(const Ui& ui) {
-  const ShowMode show = ui.state.is_comparing ? ShowMode::Input : ui.state.show;
+  const ShowMode show = shown_mode(ui);
   if (!ui.session.result_view()) return false;
   if (show == ShowMode::Difference) return true;
   return ui.state.colours == ColourMode::Deviation && show == ShowMode::Input;
@@ -155,7 +161,7 @@ std::vector<LabelState> group_states(const Ui& ui) {
 }
 
 std::vector<LabelState> literal_states(const Ui& ui) {
-  const auto shown = ui.session.shown_result();
+  const auto shown = ui.session.viewed_result();
   std::vector<LabelState> states;
   if (!shown) return states;
   const int count = static_cast<int>(shown->found.tree.literals.size());

@@ -14,6 +14,9 @@ std::vector<LabelState> group_states(const Ui& ui);
 /// The looks of the result's literals.
 std::vector<LabelState> literal_states(const Ui& ui);
 
+/// What is to be seen now: the input while it is compared, the result while one is looked at.
+ShowMode shown_mode(const Ui& ui);
+
 /// Whether the deviations are to be shown and there are some.
 bool shows_deviation(const Ui& ui);
 

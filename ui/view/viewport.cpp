@@ -82,7 +82,7 @@ void Viewport::sync_meshes(Ui& ui) {
     has_ids_ = false;
     must_draw_ = true;
     ui.state.hovered_literal = ui.state.hovered_node = ui.state.picked_node = -1;
-    const auto shown = ui.session.shown_result();
+    const auto shown = ui.session.viewed_result();
     const int literals = shown ? static_cast<int>(shown->found.tree.literals.size()) : 0;
     if (ui.state.picked_literal >= literals) ui.state.picked_literal = -1;
   }
@@ -122,7 +122,7 @@ void Viewport::draw(Ui& ui, const ViewArea& area) {
   draw_picture(ui, area);
   draw_plane_handles(ui, area);
   draw_measure(ui, area);
-  draw_rubber_band(ui);
+  draw_rubber_band(ui, area);
 }
 
 bool Viewport::is_slow() const {
@@ -315,7 +315,9 @@ void Viewport::point_at(Ui& ui, const ViewArea& area, const std::array<float, 2>
   const bool groups = picks_groups(scene);
   ui.state.hovered = groups ? label : -1;
   if (!groups) ui.state.hovered_literal = label;
-  hover_spot(ui, area, mouse, ui.state.hovered);
+  if (ui.state.tool != Tool::Measure) return;
+  const Corner* corner = groups ? corners_.find(ui, area, ids(scene, area), mouse) : nullptr;
+  hover_spot(ui, area, mouse, ui.state.hovered, corner);
 }
 
 void Viewport::click(Ui& ui, const ViewArea& area) {
@@ -363,10 +365,20 @@ void Viewport::place_knife(Ui& ui, const ViewArea& area) {
   ui.state.knife.is_dragging = true;
   ui.state.knife.from = drag_start_;
   ui.state.knife.to = {mouse.x, mouse.y};
+  ui.state.knife.from_corner = corner_at(ui, area, ui.state.knife.from);
+  ui.state.knife.to_corner = corner_at(ui, area, ui.state.knife.to);
   aim_knife(ui, area);
 }
 
-void Viewport::draw_rubber_band(const Ui& ui) const {
+std::optional<Vec3> Viewport::corner_at(Ui& ui, const ViewArea& area,
+                                        const std::array<float, 2>& pixel) {
+  const Scene scene = build_scene(ui, area);
+  if (!picks_groups(scene)) return {};
+  const Corner* corner = corners_.find(ui, area, ids(scene, area), pixel);
+  return corner ? std::optional(corner->at) : std::nullopt;
+}
+
+void Viewport::draw_rubber_band(const Ui& ui, const ViewArea& area) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const ImU32 accent = ImGui::GetColorU32(ui.theme.accent);
@@ -391,6 +403,9 @@ void Viewport::draw_rubber_band(const Ui& ui) const {
   const std::string count =
       std::to_string(ui.state.knife.crossed) + (ui.state.knife.crossed == 1 ? " group" : " groups");
   draw_label(ui, mouse, count);
+  for (const auto& corner : {ui.state.knife.from_corner, ui.state.knife.to_corner}) {
+    if (corner) list.AddCircle(to_pixel(ui, area, *corner), 7 * ui.scale, accent, 0, 2 * ui.scale);
+  }
 }
 
 }  // namespace hewn

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "ui/studio_state.h"
+#include "ui/tools/corner_finder.h"
 #include "ui/tools/plane_handles.h"
 #include "ui/view/look.h"
 #include "ui/view/scene.h"
@@ -38,7 +39,8 @@ class Viewport {
   void select_box(Ui& ui, const ViewArea& area);
   void select_lasso(Ui& ui, const ViewArea& area);
   void place_knife(Ui& ui, const ViewArea& area);
-  void draw_rubber_band(const Ui& ui) const;
+  std::optional<Vec3> corner_at(Ui& ui, const ViewArea& area, const std::array<float, 2>& pixel);
+  void draw_rubber_band(const Ui& ui, const ViewArea& area) const;
   void draw_picture(Ui& ui, const ViewArea& area);
   ExactSituation exact_situation(const Ui& ui, const Scene& scene, bool has_settled) const;
   void try_exact(Ui& ui, const Scene& scene, int width, int height);
@@ -69,6 +71,7 @@ class Viewport {
   std::set<int> hidden_;  ///< groups, when `ids_` was made
   Drag drag_ = Drag::None;
   PlaneHandle handle_ = PlaneHandle::None;
+  CornerFinder corners_;
   std::vector<std::array<float, 2>> lasso_;  ///< window pixels
   int drag_button_ = 0;
   std::array<float, 2> drag_start_{}, last_mouse_{};

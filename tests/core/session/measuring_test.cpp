@@ -96,13 +96,13 @@ TEST_CASE("corners stand for themselves, spheres for their centres") {
   CHECK(sizes[1].value == 4);
 }
 
-TEST_CASE("a ray finds the group that is seen, and catches corners within reach") {
+TEST_CASE("a ray finds the group that is seen") {
   const testing::OpenSession open;
   const PreparedMesh& prepared = *open.session.document().prepared;
   const auto group_at = [&](const Vec3& p) {
     return find_groups(prepared, {{p, -1}}, "").value().front();
   };
-  Pointing down{Vec3(15, 5, 100), -Vec3::UnitZ(), group_at(Vec3(15, 5, 4)), 0.5};
+  Pointing down{Vec3(15, 5, 100), -Vec3::UnitZ(), group_at(Vec3(15, 5, 4))};
   const auto top = spot_at(prepared, down);
   REQUIRE(top);
   CHECK(!top->is_corner);
@@ -115,15 +115,23 @@ TEST_CASE("a ray finds the group that is seen, and catches corners within reach"
   down.cut_normal = Vec3::UnitX();
   down.cut_offset = 10;
   CHECK(!spot_at(prepared, down));
-  Pointing near_corner{Vec3(19.8, 9.7, 100), -Vec3::UnitZ(), group_at(Vec3(15, 5, 4)), 0.5};
-  const auto corner = spot_at(prepared, near_corner);
-  REQUIRE(corner);
-  CHECK(corner->is_corner);
-  CHECK(corner->at == Vec3(20, 10, 4));
-  near_corner.reach = 0.1;
-  CHECK(!spot_at(prepared, near_corner)->is_corner);
-  near_corner.group = group_at(Vec3(3, 0, 0));  // the ray does not meet the hole's wall
-  CHECK(!spot_at(prepared, near_corner));
+  down.cut_offset = 20;
+  CHECK(spot_at(prepared, down));
+  down.group = group_at(Vec3(3, 0, 0));  // the ray does not meet the hole's wall
+  CHECK(!spot_at(prepared, down));
+}
+
+TEST_CASE("corners are the vertices between groups") {
+  const testing::OpenSession open;
+  const auto corners = corners_of(*open.session.document().prepared);
+  CHECK(corners.size() == 4 * 32);  // the rims of the plate and of its hole, above and below
+  std::size_t of_three = 0;
+  for (const Corner& corner : corners) {
+    if (corner.groups.size() == 2) continue;
+    CHECK(corner.at.cwiseAbs() == Vec3(20, 10, 4));
+    ++of_three;
+  }
+  CHECK(of_three == 8);
 }
 
 }  // namespace

@@ -364,6 +364,70 @@ TEST_CASE("what is drawn of a result measures the input against it") {
   CHECK(view->max_deviation < 1e-3);  // all vertices lie on the true surfaces
 }
 
+TEST_CASE("another result is looked at for a while, and its view is kept") {
+  OpenSession open;
+  Session& session = open.session;
+  session.set_views(true);
+  const auto settle = [&session] {
+    for (int i = 0; i < 3; ++i) {
+      session.wait();
+      session.poll();
+    }
+  };
+  REQUIRE(session.execute(Reconstruct{}));
+  settle();
+  const auto first = session.current_result();
+  REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
+  REQUIRE(session.execute(Reconstruct{}));
+  settle();
+  const auto second = session.current_result();
+  REQUIRE(second);
+  REQUIRE(second != first);
+  const auto own_view = session.result_view();
+  REQUIRE(own_view);
+
+  session.preview(first);
+  settle();
+  CHECK(session.viewed_result() == first);
+  CHECK(session.result_view() != own_view);
+  CHECK(session.result_view());
+  CHECK(session.shown_result() == second);  // the panels keep theirs
+  session.preview(nullptr);
+  CHECK(session.viewed_result() == second);
+  CHECK(session.result_view() == own_view);  // nothing is made anew
+  CHECK_FALSE(session.is_busy());
+}
+
+TEST_CASE("a view that was stopped is made when it is wanted again") {
+  OpenSession open;
+  Session& session = open.session;
+  REQUIRE(session.execute(Reconstruct{}));
+  session.wait();
+  session.set_views(true);
+  session.poll();
+  session.cancel_jobs();
+  for (int i = 0; i < 3; ++i) {
+    session.wait();
+    session.poll();
+  }
+  CHECK(session.result_view());
+}
+
+TEST_CASE("the journal keeps what was done, and what was said and dismissed") {
+  OpenSession open;
+  Session& session = open.session;
+  session.notify(Severity::Warning, "something is odd");
+  session.dismiss(0);
+  REQUIRE(session.execute(AddCut{{Vec3::UnitX(), 5, {}}}));
+  const auto& notes = session.journal();
+  REQUIRE(notes.size() >= 3);
+  CHECK(notes.front().text.find("open") != std::string::npos);
+  CHECK(notes[notes.size() - 2].text == "something is odd");
+  CHECK(notes[notes.size() - 2].severity == Severity::Warning);
+  CHECK(notes.back().text.find(R"("command":"cut")") != std::string::npos);
+  CHECK(session.notices().empty());
+}
+
 TEST_CASE("a first answer is shown while the search goes on, and never kept") {
   const SessionFolder folder("draft");
   // The worker pauses whenever it has news, so that each is seen.
