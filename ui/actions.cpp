@@ -313,6 +313,11 @@ void add_show_actions(std::vector<Action>& out) {
                    const int next = (static_cast<int>(ui.state.exact) + 1) % 3;
                    ui.state.exact = static_cast<ExactMode>(next);
                  }});
+  out.push_back({"View", "Plan panel", 'B', kCtrl, "Show or hide the plan on the left.", always,
+                 flip(&StudioState::shows_plan)});
+  out.push_back({"View", "Result panel", 'B', kCtrl | kShift,
+                 "Show or hide the result on the right.", always,
+                 flip(&StudioState::shows_result)});
   out.push_back({"View", "Light theme", 'T', kCtrl, "Switch between the dark and light theme.",
                  always, flip(&StudioState::is_light)});
   out.push_back(

@@ -114,6 +114,7 @@ void Studio::frame(float width, float height) {
     apply_theme(ui_.theme, ui_.scale);
   }
   remember_recent();
+  state_.begin_frame();
   ImGui::PushFont(ui_.fonts.body);
   ImGui::PushStyleColor(ImGuiCol_MenuBarBg, ui_.theme.panel);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui_.px(8), ui_.px(6)});
@@ -126,8 +127,8 @@ void Studio::frame(float width, float height) {
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
 
-  const float left = ui_.px(state_.left_width);
-  const float right = ui_.px(state_.right_width);
+  const float left = state_.shows_plan ? ui_.px(state_.left_width) : 0;
+  const float right = state_.shows_result ? ui_.px(state_.right_width) : 0;
   const float bottom = ui_.px(26);
   const float split = ui_.px(4);
   const float tools = ui_.px(40);
@@ -141,12 +142,17 @@ void Studio::frame(float width, float height) {
   const PanelArea status{0, height - bottom, width, bottom};
   set_backing(view, {plan, toolbar, result, status},
               {{left, middle.y, split, inner}, {width - right - split, middle.y, split, inner}});
-  draw_plan_panel(ui_, plan);
-  draw_splitter("left edge", left, middle, state_.left_width, 1);
+  if (state_.shows_plan) {
+    draw_plan_panel(ui_, plan);
+    draw_splitter("left edge", left, middle, state_.left_width, 1);
+  }
   draw_toolbar(ui_, toolbar);
   draw_view(view);
-  draw_splitter("right edge", width - right - split, middle, state_.right_width, -1);
-  draw_result_panel(ui_, result);
+  if (state_.shows_result) {
+    draw_splitter("right edge", width - right - split, middle, state_.right_width, -1);
+    draw_result_panel(ui_, result);
+  }
+  ui_.session.preview(state_.hovered_result);
   draw_status_bar(ui_, status);
   draw_selection_card(ui_, view);
   draw_knife_card(ui_, view);
@@ -170,31 +176,32 @@ std::string Studio::status_line() const {
   const Session& session = ui_.session;
   const Document& document = session.document();
   const auto shown = session.shown_result();
-  nlohmann::json out = {{"ready", document.is_ready()},
-                        {"busy", session.is_busy()},
-                        {"selected", state_.selected.size()},
-                        {"hovered", state_.hovered},
-                        {"undo", session.history().depth()},
-                        {"can_redo", session.history().can_redo()},
-                        {"cuts", document.project.cuts.size()},
-                        {"partitions", document.project.root.children.size()},
-                        {"results", session.results().size()},
-                        {"is_current", session.current_result() != nullptr},
-                        {"is_draft", session.shows_draft()},
-                        {"has_view", session.result_view() != nullptr},
-                        {"has_plane", state_.knife.plane.has_value()},
-                        {"has_file_panel", state_.file.kind != FileRequest::Kind::None},
-                        {"file_name", state_.file.name},
-                        {"is_asking", state_.leaving.has_value()},
-                        {"is_previewing", session.is_previewing()},
-                        {"measured", state_.measure.spots.size()},
-                        {"hovered_literal", state_.hovered_literal},
-                        {"hovered_result", state_.hovered_result},
-                        {"active_field", state_.active_field},
-                        {"is_exact", state_.exact_now.is_exact},
-                        {"shows_graph", state_.shows_graph},
-                        {"recoverable", state_.recoverable.size()},
-                        {"is_rough", viewport_.wants_detail()}};
+  nlohmann::json out = {
+      {"ready", document.is_ready()},
+      {"busy", session.is_busy()},
+      {"selected", state_.selected.size()},
+      {"hovered", state_.hovered},
+      {"undo", session.history().depth()},
+      {"can_redo", session.history().can_redo()},
+      {"cuts", document.project.cuts.size()},
+      {"partitions", document.project.root.children.size()},
+      {"results", session.results().size()},
+      {"is_current", session.current_result() != nullptr},
+      {"is_draft", session.shows_draft()},
+      {"has_view", session.result_view() != nullptr},
+      {"has_plane", state_.knife.plane.has_value()},
+      {"has_file_panel", state_.file.kind != FileRequest::Kind::None},
+      {"file_name", state_.file.name},
+      {"is_asking", state_.leaving.has_value()},
+      {"is_previewing", session.is_previewing()},
+      {"measured", state_.measure.spots.size()},
+      {"hovered_literal", state_.hovered_literal},
+      {"hovered_result", state_.hovered_result ? state_.hovered_result->source : ""},
+      {"active_field", state_.active_field},
+      {"is_exact", state_.exact_now.is_exact},
+      {"shows_graph", state_.shows_graph},
+      {"recoverable", state_.recoverable.size()},
+      {"is_rough", viewport_.wants_detail()}};
   if (document.is_ready()) {
     const auto& groups = document.prepared->segmentation.groups;
     const auto hovered = static_cast<std::size_t>(state_.hovered);
@@ -223,6 +230,10 @@ void Studio::load_settings(const std::filesystem::path& file) {
     state_.exact = static_cast<ExactMode>(std::clamp(json.value("exact", 0), 0, 2));
     state_.left_width = std::clamp(json.value("left", state_.left_width), 200.0F, 520.0F);
     state_.right_width = std::clamp(json.value("right", state_.right_width), 200.0F, 520.0F);
+    state_.shows_plan = json.value("plan", true);
+    state_.shows_result = json.value("result", true);
+    state_.window_width = std::clamp(json.value("width", 0), 0, 16384);
+    state_.window_height = std::clamp(json.value("height", 0), 0, 16384);
     state_.shows_hints = json.value("hints", true);
     for (const auto& path : json.value("recent", std::vector<std::string>{})) {
       if (state_.recent.size() < kMostRecent) state_.recent.emplace_back(path);
@@ -236,9 +247,11 @@ Result<void> Studio::save_settings(const std::filesystem::path& file) const {
   std::vector<std::string> recent;
   for (const auto& path : state_.recent) recent.push_back(path.string());
   const nlohmann::json json = {
-      {"light", state_.is_light},    {"exact", static_cast<int>(state_.exact)},
-      {"left", state_.left_width},   {"right", state_.right_width},
-      {"hints", state_.shows_hints}, {"recent", recent}};
+      {"light", state_.is_light},     {"exact", static_cast<int>(state_.exact)},
+      {"left", state_.left_width},    {"right", state_.right_width},
+      {"plan", state_.shows_plan},    {"result", state_.shows_result},
+      {"width", state_.window_width}, {"height", state_.window_height},
+      {"hints", state_.shows_hints},  {"recent", recent}};
   std::error_code ignored;
   std::filesystem::create_directories(file.parent_path(), ignored);
   return write_file(file,

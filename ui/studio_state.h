@@ -90,8 +90,8 @@ struct StudioState {
   std::vector<int> selected;  ///< face groups, ascending
   int hovered = -1;           ///< face group
   int hovered_literal = -1;
-  std::string hovered_result;  ///< source of the tree under the mouse in the Pareto plot
-  std::string active_field;    ///< name of the literal's number that is being typed
+  std::shared_ptr<const FoundResult> hovered_result;  ///< under the mouse in the Pareto plot
+  std::string active_field;  ///< name of the literal's number that is being typed
   int picked_literal = -1;
   int hovered_node = -1, picked_node = -1;  ///< operations of the shown tree
   std::vector<int> hovered_groups;          ///< of a row in a list
@@ -118,6 +118,12 @@ struct StudioState {
   PartitionPath renaming;
   bool is_renaming = false;
   std::string rename_text;
+  /// What panels tell of the mouse and the keyboard holds for one frame.
+  void begin_frame() {
+    hovered_groups.clear();
+    hovered_result = nullptr;
+    active_field.clear();
+  }
   /// Changes the tool; what the one before had begun is forgotten.
   void take_up(Tool next) {
     tool = next;
@@ -125,7 +131,9 @@ struct StudioState {
     measure = {};
   }
 
-  float left_width = 264, right_width = 312;  ///< at scale 1
+  float left_width = 264, right_width = 312;    ///< at scale 1
+  bool shows_plan = true, shows_result = true;  ///< the panels on the left and on the right
+  int window_width = 0, window_height = 0;      ///< screen units, as it was left; 0: not known
 
   bool wants_fit = false;  ///< when the mesh arrives
   bool wants_close = false;

@@ -36,6 +36,7 @@ namespace {
 /// Dear ImGui settles within this many frames after an event.
 constexpr int kFramesPerEvent = 3;
 constexpr double kWaitIdle_s = 1.0;
+constexpr int kFirstWidth = 1280, kFirstHeight = 800;
 constexpr double kWaitBusy_s = 0.1;
 
 /// GLFW, started and ended with the object.
@@ -75,8 +76,9 @@ Result<GLFWwindow*> make_window(const WindowOptions& options) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  GLFWwindow* window =
-      glfwCreateWindow(options.width, options.height, "Hewn Studio", nullptr, nullptr);
+  GLFWwindow* window = glfwCreateWindow(options.width > 0 ? options.width : kFirstWidth,
+                                        options.height > 0 ? options.height : kFirstHeight,
+                                        "Hewn Studio", nullptr, nullptr);
   if (window) return window;
   return Error{ErrorCode::Internal,
                fmt::format("OpenGL 4.3 is needed and not there: {}; update the graphics driver, or "
@@ -163,9 +165,15 @@ class Window {
     studio_.load_settings(settings);
     session_.set_live(options_.is_live);
     session_.set_background_edits(true);
+    const StudioState& state = studio_.state();
+    const bool is_asked_for = options_.width > 0 || options_.height > 0;
+    if (state.window_width > 0 && state.window_height > 0 && !is_asked_for) {
+      glfwSetWindowSize(window_, state.window_width, state.window_height);
+    }
     open_first(is_first_run);
     const Rescue rescue([this] { rescue_plan(); });
     while (!glfwWindowShouldClose(window_)) step();
+    glfwGetWindowSize(window_, &studio_.state().window_width, &studio_.state().window_height);
     static_cast<void>(studio_.save_settings(settings));
     if (options_.has_frame_stats) std::printf("%s\n", stats_.summary().c_str());
   }

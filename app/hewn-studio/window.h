@@ -15,7 +15,7 @@ struct WindowOptions {
   std::filesystem::path record;    ///< the command log goes here as it grows; empty: nowhere
   std::filesystem::path pictures;  ///< folder of the pictures that F12 takes
   std::filesystem::path status;    ///< the window's state goes here as it changes; empty: nowhere
-  int width = 1280, height = 800;
+  int width = 0, height = 0;       ///< of the window, pixels; 0: as it was left
   int threads = 0;
   DeviceChoice device;  ///< where the plan leaves it open
   bool has_frame_stats = false;

@@ -58,6 +58,7 @@ for y in $(seq 272 10 450); do
     xdotool mousemove "$x" "$y"
     sleep 0.06
     case "$(state hovered_result)" in "" | plan) continue ;; esac
+    until_true "the tree under the mouse in the view" is is_previewing true
     click "$x" "$y"
     taken=yes
     break 2

@@ -210,6 +210,20 @@ TEST_CASE("sections go through the middle across x, y and z in turn") {
   CHECK(!bench.state().section);
 }
 
+TEST_CASE("panels fold away and give the part their room") {
+  Bench bench;
+  const int before = bench.studio().backing().picture_x;
+  CHECK(bench.key('B', kCtrl));
+  bench.frames(2);
+  CHECK(bench.studio().backing().picture_x < before);
+  CHECK(bench.key('B', kCtrl | kShift));
+  bench.frames(2);
+  CHECK_FALSE(bench.state().shows_result);
+  CHECK(bench.key('B', kCtrl));
+  bench.frames(2);
+  CHECK(bench.studio().backing().picture_x == before);
+}
+
 TEST_CASE("a plan that is not saved is asked about before it goes") {
   Bench bench;
   const int quit = 'Q';

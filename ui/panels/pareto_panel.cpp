@@ -105,9 +105,8 @@ void draw_pareto(Ui& ui) {
   faint_text(ui, "Blue is exact, red is not. Hollow: another tree is better in all. Click takes.");
   ImGui::PopTextWrapPos();
   ImGui::PopFont();
-  ui.session.preview(nearest);
+  ui.state.hovered_result = nearest;
   if (!nearest) return;
-  ui.state.hovered_result = nearest->source;
   ImGui::SetTooltip(
       "%s: %d literals, size %d, proximity %.3f,\nIoU %.4f, mean error %s", nearest->source.c_str(),
       literal_count(nearest->found.tree), tree_size(nearest->found.tree),

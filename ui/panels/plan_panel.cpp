@@ -133,7 +133,6 @@ void draw_groups(Ui& ui) {
 
 void draw_plan_panel(Ui& ui, const PanelArea& area) {
   begin_panel("plan", area);
-  ui.state.hovered_groups.clear();
   if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) hover_nothing(ui.state);
   draw_partitions(ui);
   draw_cuts(ui);

@@ -10,35 +10,44 @@
 namespace hewn {
 namespace {
 
-void row(const Ui& ui, const char* name, const std::string& value, const std::string& full) {
+/// `full`: the tooltip; a click copies `exact`.
+void row(const Ui& ui, const char* name, const std::string& value, const std::string& full,
+         const std::string& exact) {
   ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.faint);
   ImGui::TextUnformatted(name);
   ImGui::PopStyleColor();
   ImGui::SameLine();
   right_aligned(value);
-  if (!full.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", full.c_str());
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("%s\nClick copies %s.", full.c_str(), exact.c_str());
+  if (ImGui::IsItemClicked()) ImGui::SetClipboardText(exact.c_str());
 }
 
 /// In model units, and beside the name as a share of the diagonal.
 void error_row(const Ui& ui, const char* name, double share, double diagonal) {
   const std::string text = fmt::format("{}, {} %", name, short_number(100 * share));
   row(ui, text.c_str(), short_number(share * diagonal),
-      fmt::format("{:.6g} model units, {:.4g} % of the diagonal", share * diagonal, 100 * share));
+      fmt::format("{:.6g} model units, {:.4g} % of the diagonal.", share * diagonal, 100 * share),
+      fmt::format("{:.17g}", share * diagonal));
 }
 
 void draw_numbers(const Ui& ui, const FoundResult& result) {
   const TreeScore& score = result.found.score;
   const double diagonal = result.found.prepared.mesh->diagonal();
   const int literals = literal_count(result.found.tree);
-  row(ui, "literals", std::to_string(literals), "Bounded primitives in the tree.");
-  row(ui, "size", std::to_string(tree_size(result.found.tree)), "Literals and binary operations.");
+  row(ui, "literals", std::to_string(literals), "Bounded primitives in the tree.",
+      std::to_string(literals));
+  const std::string size = std::to_string(tree_size(result.found.tree));
+  row(ui, "size", size, "Literals and binary operations.", size);
   row(ui, "proximity", fmt::format("{:.3f}", score.proximity),
-      "Share of operations whose operands touch: 1 is best.");
+      "Share of operations whose operands touch: 1 is best.",
+      fmt::format("{:.17g}", score.proximity));
   row(ui, "common volume", fmt::format("{:.4f}", score.iou),
-      fmt::format("Intersection over union with the mesh: {:.17g}", score.iou));
+      "Intersection over union with the mesh.", fmt::format("{:.17g}", score.iou));
   error_row(ui, "mean error", score.mean_distance, diagonal);
   error_row(ui, "largest error", score.hausdorff, diagonal);
-  row(ui, "seconds", fmt::format("{:.2f}", result.seconds), "Time of the search.");
+  row(ui, "seconds", fmt::format("{:.2f}", result.seconds), "Time of the search.",
+      fmt::format("{:.17g}", result.seconds));
 }
 
 /// One number of the picked literal; Enter makes the change.
@@ -123,8 +132,6 @@ void draw_empty(Ui& ui) {
 
 void draw_result_panel(Ui& ui, const PanelArea& area) {
   begin_panel("result", area);
-  ui.state.hovered_result.clear();
-  ui.state.active_field.clear();
   if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) hover_nothing(ui.state);
   heading(ui, "Result");
   const auto result = ui.session.shown_result();
@@ -178,8 +185,6 @@ void draw_result_panel(Ui& ui, const PanelArea& area) {
     if (ImGui::BeginTabItem("Pareto")) {
       draw_pareto(ui);
       ImGui::EndTabItem();
-    } else {
-      ui.session.preview(nullptr);
     }
     ImGui::EndTabBar();
   }
