@@ -1,9 +1,10 @@
 #include "core/csg/boundary/flush_faces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
+
+#include "core/csg/boundary/same_surface.h"
 
 namespace hewn {
 namespace {
@@ -32,23 +33,12 @@ class FlushFaces {
     if (literals.empty()) return;
     for (int q = 0; q < static_cast<int>(leader_.size()); ++q) {
       const auto found = std::find(literals.begin(), literals.end(), patch(q).literal);
-      if (found == literals.end() || !are_coplanar(p, q)) continue;
+      if (found == literals.end() || !patch(q).is_flat || !patch(p).is_flat) continue;
+      if (!on_same_surface(model_, patch(p), patch(q))) continue;
       const int a = leader(p);
       const int b = leader(q);
       leader_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
     }
-  }
-
-  bool are_coplanar(int p, int q) const {
-    if (!patch(q).is_flat) return false;
-    const PatchPoint a = point(p);
-    const PatchPoint b = point(q);
-    return a.normal.cross(b.normal).norm() < 1e-6 &&
-           std::abs(a.normal.dot(a.position - b.position)) < 2 * model_.same();
-  }
-
-  PatchPoint point(int p) const {
-    return point_on(model_.literal_of(patch(p)), patch(p), 0.5, 0.5);
   }
 
   void choose_labels(const std::vector<PatchPart>& parts) {

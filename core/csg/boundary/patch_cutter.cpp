@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "core/csg/boundary/partial_answer.h"
+#include "core/csg/boundary/same_surface.h"
 
 namespace hewn {
 namespace {
@@ -65,6 +66,7 @@ class PatchCutter {
         out_(out) {}
 
   void cut() {
+    find_rivals();
     std::vector<int> others;
     for (int l = 0; l < static_cast<int>(model_.bounds.size()); ++l) {
       if (l != patch_.literal) others.push_back(l);
@@ -77,6 +79,24 @@ class PatchCutter {
   PatchPoint at(const Vec2& uv) const { return point_on(literal_, patch_, uv.x(), uv.y()); }
   double same() const { return model_.same(); }
   double beside() const { return kBeside * model_.diagonal; }
+
+  /// Where faces of several literals coincide, the first shows them; which come before the patch's?
+  void find_rivals() {
+    rivals_.assign(model_.bounds.size(), false);
+    for (const BoundaryPatch& other : model_.patches) {
+      if (other.literal >= patch_.literal) break;  // patches come in the literals' order
+      const auto l = static_cast<std::size_t>(other.literal);
+      if (!rivals_[l]) rivals_[l] = on_same_surface(model_, patch_, other);
+    }
+  }
+
+  /// Whether a rival's face may cover a part of the cell; `along`: those that cover it all.
+  bool may_be_anothers(const std::vector<int>& open, const std::vector<int>& along) const {
+    return std::any_of(open.begin(), open.end(), [&](int l) {
+      return rivals_[static_cast<std::size_t>(l)] &&
+             std::find(along.begin(), along.end(), l) == along.end();
+    });
+  }
 
   /// `open`: the literals whose surfaces may cross the cell; of others it is known what they hold.
   void visit(const Cell& cell, const std::vector<int>& open) {
@@ -107,9 +127,11 @@ class PatchCutter {
     if (sides.is_anothers) return;
     if (sides.behind != Known::Open && sides.ahead != Known::Open) {
       if (sides.behind == sides.ahead) return;
-      note_flush(sides.flush);
-      emit_whole(cell, sides.behind == Known::Yes);
-      return;
+      if (!may_be_anothers(open, coincident)) {
+        note_flush(sides.flush);
+        emit_whole(cell, sides.behind == Known::Yes);
+        return;
+      }
     }
     forget_answers(open.size());
     const bool is_within_facet = !has_columns(cell) && !has_rows(cell);
@@ -180,11 +202,18 @@ class PatchCutter {
     return out;
   }
 
-  /// Whether the literal's surface runs through all corners of the cell.
+  /// Whether the literal's surface runs along the whole cell: through a grid of its points. The
+  /// corners would not do: of a whole cylinder's side they lie on one line, and any plane through
+  /// the axis holds them and the middle.
   bool runs_along(const Cell& cell, int literal) const {
-    for (int k = 0; k < 4; ++k) {
-      const Vec3 p = at(cell.corner(k)).position;
-      if (std::abs(distance(literal, p, same())) >= same()) return false;
+    constexpr int kSteps = 4;
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int j = 0; j <= kSteps; ++j) {
+        const Vec3 p = at({std::lerp(cell.u0, cell.u1, double(i) / kSteps),
+                           std::lerp(cell.v0, cell.v1, double(j) / kSteps)})
+                           .position;
+        if (std::abs(distance(literal, p, same())) >= same()) return false;
+      }
     }
     return true;
   }
@@ -398,6 +427,7 @@ class PatchCutter {
   PartialAnswer inside_;
   PatchPart& out_;
   std::vector<Known> remembered_;  ///< answers in the cell, by the bits of its open literals
+  std::vector<bool> rivals_;       ///< by literal
   std::vector<int> tied_;
   std::vector<Known> behind_;
 };

@@ -1,6 +1,7 @@
 #include "core/csg/tree_boundary.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <doctest/doctest.h>
@@ -118,6 +119,65 @@ TEST_CASE("the boundary of random trees encloses what they hold") {
       CHECK(std::abs(tree.signed_distance(c.position)) < 2e-3 * bounds.diagonal());
     }
   }
+}
+
+Literal cylinder(double radius, double height) {
+  Literal s;
+  s.kind = SolidKind::Cylinder;
+  s.radius = s.top_radius = radius;
+  s.height = height;
+  return s;
+}
+
+TEST_CASE("a bar with a round end: planes through the round end's axis, and planes that touch it") {
+  for (int k = 0; k < 10; ++k) {
+    CAPTURE(k);
+    const bool is_bar_first = k % 2 == 0;
+    Literal bar = box({-1, 0, 0}, {1, 4, 1});  // the seam of the end lies in its side
+    Literal end = cylinder(1, 1);
+    Rng rng(5, static_cast<std::uint64_t>(k / 2));
+    bar.rotation = end.rotation = testing::random_rotation(rng);  // so that zeros have two signs
+    Tree tree;
+    const int first = tree.add_literal(is_bar_first ? bar : end);
+    const int second = tree.add_literal(is_bar_first ? end : bar);
+    tree.root = tree.add_node(Op::Union, {first, second});
+    const Measures found = measure(boundary_of(tree, 5.5));
+    const double ends = 2 * (8 + kPi / 2);
+    CHECK(found.area == doctest::Approx(ends + 2 * 4 + 2 + kPi).epsilon(2e-3));
+    CHECK(found.volume == doctest::Approx(8 + kPi / 2).epsilon(2e-3));
+  }
+}
+
+TEST_CASE("a face that several literals have is drawn once, also where only a part is common") {
+  // All in any order: a low block, a high one that holds it, and the one that cuts both down.
+  const Literal literals[] = {box({0, 0, 0}, {1, 4, 1}), box({0, 0, 0}, {4, 4, 2}),
+                              box({0, 0, 0}, {4, 4, 1})};
+  std::array<int, 3> order = {0, 1, 2};
+  do {
+    CAPTURE(order[0]);
+    CAPTURE(order[1]);
+    Tree tree;
+    std::array<int, 3> leaf{};
+    for (const int l : order) leaf[l] = tree.add_literal(literals[l]);
+    const int blocks = tree.add_node(Op::Union, {leaf[0], leaf[1]});
+    tree.root = tree.add_node(Op::Intersection, {blocks, leaf[2]});
+    const Measures found = measure(boundary_of(tree, 6));
+    CHECK(found.area == doctest::Approx(48).epsilon(1e-4));
+    CHECK(found.volume == doctest::Approx(16).epsilon(1e-4));
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST_CASE("coaxial cylinders of one radius are drawn once where they overlap") {
+  Tree tree;
+  Literal upper = cylinder(1, 2);
+  upper.origin.z() = 1;
+  const int a = tree.add_literal(cylinder(1, 2));
+  const int b = tree.add_literal(upper);
+  const int hull = tree.add_literal(box({-2, -2, -1}, {2, 2, 4}));
+  const int both = tree.add_node(Op::Union, {a, b});
+  tree.root = tree.add_node(Op::Intersection, {both, hull});
+  const Measures found = measure(boundary_of(tree, 4));
+  CHECK(found.area == doctest::Approx(2 * kPi * 3 + 2 * kPi).epsilon(2e-3));
 }
 
 TEST_CASE("no line divides a flush face, and its parts are shown as one literal") {
