@@ -42,6 +42,16 @@ close_window
 left=$(find "$folder/state/hewn/recovery" -name 'unsaved-*.json' | wc -l)
 [ "$left" = 0 ] || fail "$left copies were left behind by a window that was closed"
 
+# What cannot open a window says so and ends.
+refuses() {
+  local code=0
+  "$studio" part.off >refused.txt 2>&1 || code=$?
+  [ "$code" = 1 ] || fail "a window that cannot be opened ended with $code"
+  grep -q "$1" refused.txt || fail "it did not say '$1': $(cat refused.txt)"
+}
+MESA_GL_VERSION_OVERRIDE=3.3 refuses "OpenGL 4.3 is needed"
+DISPLAY='' WAYLAND_DISPLAY='' refuses "there is no display"
+
 # A display of its own, which goes away under the window.
 mkfifo display
 Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3<>display >/dev/null 2>&1 &
