@@ -87,8 +87,9 @@ struct StudioState {
   std::optional<ViewPlane> section;  ///< only what lies behind it is shown
   double tolerance_share = 1e-4;     ///< of the diagonal: grey in the deviation map
 
-  std::vector<int> selected;  ///< face groups, ascending
-  int hovered = -1;           ///< face group
+  std::vector<int> group_colours;  ///< numbers for `golden_state`, of the mesh that is shown
+  std::vector<int> selected;       ///< face groups, ascending
+  int hovered = -1;                ///< face group
   int hovered_literal = -1;
   std::shared_ptr<const FoundResult> hovered_result;  ///< under the mouse in the Pareto plot
   std::string active_field;  ///< name of the literal's number that is being typed

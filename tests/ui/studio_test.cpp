@@ -8,6 +8,7 @@
 #include "ui/panels/panels.h"
 #include "ui/tools/knife.h"
 #include "ui/view/look.h"
+#include "ui/view/unlike_colours.h"
 
 namespace hewn {
 namespace {
@@ -109,6 +110,31 @@ TEST_CASE("selections grow, shrink and find their like") {
   CHECK(bench.state().selected.size() == 6);  // all planes
   CHECK(bench.key(kEscape));
   CHECK(bench.state().selected.empty());
+}
+
+TEST_CASE("faces side by side get unlike colours") {
+  // Numbers that are 21 or 34 apart have nearly the same hue.
+  DisplayMesh mesh;
+  mesh.labels = 60;
+  const auto meet = [&mesh](int a, int b) {
+    mesh.lines.push_back({{}, {a, b}});
+    mesh.lines.push_back({{}, {a, b}});
+  };
+  meet(0, 21);
+  meet(34, 0);
+  meet(21, 34);
+  meet(5, 5);
+  for (int g = 1; g < 60; ++g) meet(0, g);
+  const auto numbers = unlike_colours(mesh);
+  const auto differ = [&](int a, int b) {
+    const LabelState first = golden_state(numbers[a]);
+    const LabelState second = golden_state(numbers[b]);
+    return std::abs(first.red - second.red) + std::abs(first.green - second.green) +
+           std::abs(first.blue - second.blue);
+  };
+  CHECK(numbers[3] == 3);
+  CHECK(differ(21, 34) > 60);
+  for (int g = 1; g < 60; ++g) CHECK(differ(0, g) > 60);
 }
 
 TEST_CASE("colours tell what they are asked to") {

@@ -82,7 +82,7 @@ void draw_group(Ui& ui, int g) {
   const bool is_hidden = ui.state.hidden.contains(g);
   const LabelState dot = ui.state.colours == ColourMode::Kind
                              ? kind_state(group.surface.kind, group.is_fitted)
-                             : golden_state(g);
+                             : group_colour(ui, g);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetTextLineHeight();
   if (ImGui::Selectable("##group", is_selected || ui.state.hovered == g)) {

@@ -35,7 +35,7 @@ LabelState base_state(const Ui& ui, int group, const std::vector<int>& owner) {
     case ColourMode::Deviation:
       break;
   }
-  return golden_state(group);
+  return group_colour(ui, group);
 }
 
 /// The literal, and those below the operation; -1: none.
@@ -115,6 +115,11 @@ void set_colours(const Ui& ui, Scene& scene) {
 }
 
 }  // namespace
+
+LabelState group_colour(const Ui& ui, int group) {
+  const auto g = static_cast<std::size_t>(group);
+  return golden_state(g < ui.state.group_colours.size() ? ui.state.group_colours[g] : group);
+}
 
 ShowMode shown_mode(const Ui& ui) {
   if (ui.state.is_comparing) return ShowMode::Input;

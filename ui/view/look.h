@@ -8,6 +8,9 @@
 
 namespace hewn {
 
+/// The group's own colour: unlike those of the groups beside it.
+LabelState group_colour(const Ui& ui, int group);
+
 /// The looks of the input's groups.
 std::vector<LabelState> group_states(const Ui& ui);
 

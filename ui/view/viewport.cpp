@@ -10,6 +10,7 @@
 #include "ui/tools/marks.h"
 #include "ui/tools/measure.h"
 #include "ui/view/id_picking.h"
+#include "ui/view/unlike_colours.h"
 #include "ui/view/warm_up.h"
 
 namespace hewn {
@@ -64,6 +65,7 @@ void Viewport::sync_meshes(Ui& ui) {
     must_draw_ = true;
     ui.state.hovered = -1;
     ui.state.measure = {};
+    ui.state.group_colours = input ? unlike_colours(*input) : std::vector<int>();
     const int count = input ? input->labels : 0;
     std::erase_if(ui.state.selected, [count](int g) { return g >= count; });
     std::erase_if(ui.state.hidden, [count](int g) { return g >= count; });
