@@ -107,6 +107,25 @@ void Studio::set_backing(const PanelArea& view, std::initializer_list<PanelArea>
   backing_.picture_y = pixels(view.y, ratio.y);
 }
 
+/// What floats over the part, the later over the earlier.
+void Studio::draw_cards(const PanelArea& view, const PanelArea& window) {
+  draw_selection_card(ui_, view);
+  draw_knife_card(ui_, view);
+  draw_measure_card(ui_, view);
+  draw_section_card(ui_, view);
+  draw_deviation_legend(ui_, view);
+  draw_exact_card(ui_, view);
+  draw_hints(ui_, view);
+  draw_recovery(ui_, view);
+  draw_settings(ui_, view);
+  draw_log(ui_, view);
+  draw_leave_card(ui_, view);
+  draw_notices(ui_, view);
+  draw_palette(ui_, window);
+  draw_keys(ui_, window);
+  draw_file_panel(ui_, window);
+}
+
 void Studio::frame(float width, float height) {
   if (state_.is_light != was_light_) {
     was_light_ = state_.is_light;
@@ -154,21 +173,7 @@ void Studio::frame(float width, float height) {
   }
   ui_.session.preview(state_.hovered_result);
   draw_status_bar(ui_, status);
-  draw_selection_card(ui_, view);
-  draw_knife_card(ui_, view);
-  draw_measure_card(ui_, view);
-  draw_section_card(ui_, view);
-  draw_deviation_legend(ui_, view);
-  draw_exact_card(ui_, view);
-  draw_hints(ui_, view);
-  draw_recovery(ui_, view);
-  draw_settings(ui_, view);
-  draw_log(ui_, view);
-  draw_leave_card(ui_, view);
-  draw_notices(ui_, view);
-  draw_palette(ui_, window);
-  draw_keys(ui_, window);
-  draw_file_panel(ui_, window);
+  draw_cards(view, window);
   ImGui::PopFont();
 }
 

@@ -41,6 +41,7 @@ class Studio {
 
  private:
   void draw_view(const PanelArea& area);
+  void draw_cards(const PanelArea& view, const PanelArea& window);
   void set_backing(const PanelArea& view, std::initializer_list<PanelArea> panels,
                    std::initializer_list<PanelArea> splitters);
   void draw_splitter(const char* name, float x, const PanelArea& middle, float& width, float sign);
