@@ -176,6 +176,33 @@ TEST_CASE("two clicks measure what lies between two faces") {
   CHECK(bench.state().measure.spots.empty());
 }
 
+TEST_CASE("a cut that ends at a corner goes through it; Alt leaves it as drawn") {
+  Bench bench;
+  CHECK(bench.key('1'));
+  const PreparedMesh& prepared = *bench.session().document().prepared;
+  const int front = find_groups(prepared, {{Vec3(10, -10, 0), -1}}, "").value().front();
+  bench.engine().label_at = [front](int, int) { return front; };
+  const Vec3 corner(20, -10, 4);
+  const ImVec2 at = to_pixel(bench.studio().ui(), view_of(bench), corner);
+  const std::vector<std::array<float, 2>> line = {
+      {at.x - 200, at.y + 130}, {at.x - 90, at.y + 60}, {at.x + 3, at.y - 2}};
+  const auto distance = [&] {
+    const SnappedPlane& plane = *bench.state().knife.plane;
+    return std::abs(plane.normal.dot(corner) - plane.offset);
+  };
+  CHECK(bench.key('K'));
+  bench.drag(line);
+  REQUIRE(bench.state().knife.plane);
+  CHECK(distance() < 1e-9);
+  CHECK(bench.state().knife.plane->snapped_to.find("corner") != std::string::npos);
+  ImGui::GetIO().KeyAlt = true;
+#if IMGUI_VERSION_NUM >= 18700
+  ImGui::GetIO().AddKeyEvent(ImGuiMod_Alt, true);
+#endif
+  aim_knife(bench.studio().ui(), view_of(bench));
+  CHECK(distance() > 1e-3);
+}
+
 TEST_CASE("a placed cut is taken up, moved and set down as one command") {
   Bench bench;
   REQUIRE(bench.session().execute(AddCut{{Vec3::UnitX(), 5, {}}}));
