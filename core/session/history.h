@@ -1,8 +1,8 @@
 #pragma once
 /// Unlimited undo and redo over whole documents, which share what they have in common.
 #include <cstdint>
+#include <deque>
 #include <string>
-#include <vector>
 
 #include "core/session/document.h"
 
@@ -20,6 +20,7 @@ class History {
   bool undo();
   bool redo();
 
+  /// Stays where it is while later steps come and go.
   const Document& current() const { return steps_[at_].document; }
   bool can_undo() const { return at_ > 0; }
   bool can_redo() const { return at_ + 1 < steps_.size(); }
@@ -36,7 +37,7 @@ class History {
     std::string title;  ///< of the command that led here
     Document document;
   };
-  std::vector<Step> steps_ = {{}};
+  std::deque<Step> steps_ = {Step{}};
   std::size_t at_ = 0;
   std::uint64_t edition_ = 1;
 };

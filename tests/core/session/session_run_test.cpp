@@ -492,20 +492,20 @@ TEST_CASE(
   REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
   Autosave autosave(open.folder / "state");
   const auto start = Autosave::Clock::now();
-  const auto& project = session.document().project;
-  REQUIRE(autosave.update(project, true, start));
+  const auto project = [&session]() -> const Project& { return session.document().project; };
+  REQUIRE(autosave.update(project(), true, start));
   const std::string first = *read_file(autosave.file());
   REQUIRE(session.execute(RenamePartition{{0}, "bore"}));
   {
     const FullDisk disk;
-    const auto done = autosave.update(project, true, start + std::chrono::seconds(60));
+    const auto done = autosave.update(project(), true, start + std::chrono::seconds(60));
     REQUIRE_FALSE(done);
     CHECK(done.error().code == ErrorCode::FileWrite);
     // Told once: no try at every change.
-    CHECK(autosave.update(project, true, start + std::chrono::seconds(61)));
+    CHECK(autosave.update(project(), true, start + std::chrono::seconds(61)));
   }
   CHECK(*read_file(autosave.file()) == first);
-  REQUIRE(autosave.update(project, true, start + std::chrono::seconds(120)));
+  REQUIRE(autosave.update(project(), true, start + std::chrono::seconds(120)));
   CHECK(*read_file(autosave.file()) != first);
 }
 
