@@ -115,6 +115,12 @@ void suggest(Ui& ui) {
   }
 }
 
+bool open_now(Ui& ui, const std::filesystem::path& path) {
+  const bool is_open = ui.session.execute(OpenFile{path}).has_value();
+  if (is_open) reset_view(ui.state);
+  return is_open;
+}
+
 void open_sample(Ui& ui) { request_open(ui, ui.state.sample); }
 
 void look(Ui& ui, StandardView view) { ui.state.camera.look(view); }
@@ -426,9 +432,7 @@ bool request_open(Ui& ui, const std::filesystem::path& path) {
     ui.state.leaving = Leaving{path};
     return true;
   }
-  const bool is_open = ui.session.execute(OpenFile{path}).has_value();
-  if (is_open) reset_view(ui.state);
-  return is_open;
+  return open_now(ui, path);
 }
 
 void request_quit(Ui& ui) {
@@ -445,8 +449,8 @@ void leave_now(Ui& ui) {
   ui.state.leaving.reset();
   if (next.empty()) {
     ui.state.wants_close = true;
-  } else if (ui.session.execute(OpenFile{next})) {
-    reset_view(ui.state);
+  } else {
+    open_now(ui, next);
   }
 }
 

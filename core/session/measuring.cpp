@@ -88,6 +88,22 @@ void add_parts(std::vector<Dimension>& out, const Vec3& v) {
   for (int k = 0; k < 3; ++k) out.push_back({std::string(1, "xyz"[k]), v[k]});
 }
 
+/// Of each vertex, whether triangles of more than one group meet there: few, of a fine mesh.
+std::vector<char> vertices_of_several(const PreparedMesh& prepared) {
+  const Mesh& mesh = *prepared.mesh;
+  std::vector<int> first(mesh.vertices.size(), -1);
+  std::vector<char> is_shared(mesh.vertices.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const int group = prepared.segmentation.group_of_triangle[t];
+    if (group < 0) continue;
+    for (const int v : mesh.triangles[t]) {
+      if (first[v] < 0) first[v] = group;
+      if (first[v] != group) is_shared[v] = 1;
+    }
+  }
+  return is_shared;
+}
+
 /// Where the ray first meets the group on the side that is seen.
 std::optional<Vec3> seen_point(const PreparedMesh& prepared, const Pointing& pointing) {
   constexpr int kMostLayers = 1000;
@@ -110,12 +126,14 @@ std::optional<Vec3> seen_point(const PreparedMesh& prepared, const Pointing& poi
 
 std::vector<Corner> corners_of(const PreparedMesh& prepared) {
   const Mesh& mesh = *prepared.mesh;
+  const std::vector<char> is_shared = vertices_of_several(prepared);
   std::vector<std::pair<int, int>> touching;  // vertex, group
-  touching.reserve(3 * mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const int group = prepared.segmentation.group_of_triangle[t];
     if (group < 0) continue;
-    for (const int v : mesh.triangles[t]) touching.emplace_back(v, group);
+    for (const int v : mesh.triangles[t]) {
+      if (is_shared[v]) touching.emplace_back(v, group);
+    }
   }
   std::sort(touching.begin(), touching.end());
   touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
@@ -123,7 +141,6 @@ std::vector<Corner> corners_of(const PreparedMesh& prepared) {
   for (std::size_t i = 0, end = 0; i < touching.size(); i = end) {
     const int vertex = touching[i].first;
     while (end < touching.size() && touching[end].first == vertex) ++end;
-    if (end - i < 2) continue;
     Corner corner{mesh.vertices[vertex], {}};
     for (std::size_t k = i; k < end; ++k) corner.groups.push_back(touching[k].second);
     corners.push_back(std::move(corner));

@@ -14,7 +14,7 @@ struct Corner {
   std::vector<int> groups;  ///< ascending, two at least
 };
 
-/// All of a mesh. Cost: O(n log n).
+/// All of a mesh. Cost: O(n), and O(k log k) for k corners.
 std::vector<Corner> corners_of(const PreparedMesh& prepared);
 
 /// A place of the mesh that was pointed at.

@@ -8,6 +8,7 @@
 #include "core/session/describe.h"
 #include "ui/panels/widgets.h"
 #include "ui/tools/knife.h"
+#include "ui/tools/section.h"
 
 namespace hewn {
 namespace {
@@ -94,7 +95,7 @@ void draw_knife_card(Ui& ui, const PanelArea& view) {
   ImGui::TextUnformatted(with_icon(ui, icon::kKnife, "").c_str());
   ImGui::SameLine();
   for (int k = 0; k < 3; ++k) {
-    const bool is_it = knife.plane && std::abs(std::abs(knife.plane->normal[k]) - 1) < 1e-12;
+    const bool is_it = knife.plane && axis_across(knife.plane->normal) == k;
     const char name[] = {"xyz"[k], '\0'};
     if (toggle_button(ui, name, is_it)) {
       const double middle = ui.session.document().prepared->mesh->bounds.center()[k];

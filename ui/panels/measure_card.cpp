@@ -1,7 +1,6 @@
 /// What was measured, in numbers that can be copied.
 #include <fmt/format.h>
 
-#include "core/session/describe.h"
 #include "ui/panels/widgets.h"
 #include "ui/tools/measure.h"
 
@@ -13,8 +12,7 @@ void draw_dimension(const Ui& ui, const Dimension& dimension) {
   faint_text(ui, dimension.what);
   ImGui::SameLine(0, ui.px(6));
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(
-      (short_number(dimension.value) + (dimension.is_angle ? "\u00b0" : "")).c_str());
+  ImGui::TextUnformatted(dimension_text(dimension).c_str());
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("%.10g %s; click copies it", dimension.value,
                       dimension.is_angle ? "degrees" : "model units");

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -8,6 +7,7 @@
 #include "ui/panels/tree_marks.h"
 #include "ui/panels/widgets.h"
 #include "ui/tools/knife.h"
+#include "ui/tools/section.h"
 
 namespace hewn {
 namespace {
@@ -15,10 +15,7 @@ namespace {
 void draw_cut(Ui& ui, int index) {
   const CutStep& cut = ui.session.document().project.cuts[index];
   ImGui::PushID(index);
-  int axis = -1;
-  for (int k = 0; k < 3; ++k) {
-    if (std::abs(std::abs(cut.normal[k]) - 1) < 1e-12) axis = k;
-  }
+  const int axis = axis_across(cut.normal);
   ImGui::AlignTextToFramePadding();
   if (axis >= 0) {
     ImGui::Text("%c =", "xyz"[axis]);

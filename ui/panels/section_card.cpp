@@ -11,7 +11,7 @@ namespace hewn {
 void draw_section_card(Ui& ui, const PanelArea& view) {
   if (!ui.state.section || !ui.session.document().is_ready()) return;
   ViewPlane& plane = *ui.state.section;
-  const int axis = axis_across(plane);
+  const int axis = axis_across(plane.normal);
   // Across an axis the number is the coordinate, whichever half is shown.
   const double sign = axis >= 0 && plane.normal[axis] < 0 ? -1 : 1;
   const auto [lo, hi] = extent_along(ui, sign * plane.normal);

@@ -1,6 +1,5 @@
 /// Every tunable, from the tables that give the command its flags.
 #include <algorithm>
-#include <cctype>
 
 #include <fmt/format.h>
 #include <imgui.h>

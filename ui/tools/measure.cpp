@@ -54,6 +54,10 @@ std::vector<Dimension> measured(const Ui& ui) {
                            : dimensions_between(prepared, spots[0], spots[1]);
 }
 
+std::string dimension_text(const Dimension& dimension) {
+  return short_number(dimension.value) + (dimension.is_angle ? "\u00b0" : "");
+}
+
 void draw_measure(const Ui& ui, const ViewArea& area) {
   if (!is_measuring(ui)) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -70,8 +74,7 @@ void draw_measure(const Ui& ui, const ViewArea& area) {
       list.AddLine(to_pixel(ui, area, spots[1].at), to, faint);
       list.AddLine(from, to, accent, 2 * ui.scale);
     }
-    draw_label(ui, {(from.x + to.x) / 2, (from.y + to.y) / 2},
-               short_number(shown.value) + (shown.is_angle ? "\u00b0" : ""));
+    draw_label(ui, {(from.x + to.x) / 2, (from.y + to.y) / 2}, dimension_text(shown));
   }
   for (const Spot& spot : spots) {
     const ImVec2 at = to_pixel(ui, area, spot.at);

@@ -1,6 +1,7 @@
 #pragma once
 /// Measuring: two places of the part, and what lies between them.
 #include <array>
+#include <string>
 #include <vector>
 
 #include "ui/studio_state.h"
@@ -18,6 +19,9 @@ void take_spot(MeasureState& measure);
 
 /// Of one spot, or between the two, the one under the mouse for the second; empty: nothing yet.
 std::vector<Dimension> measured(const Ui& ui);
+
+/// Four significant digits, with a degree sign for angles.
+std::string dimension_text(const Dimension& dimension);
 
 /// The spots and the first dimension, in the current Dear ImGui window.
 void draw_measure(const Ui& ui, const ViewArea& area);

@@ -5,7 +5,7 @@
 namespace hewn {
 
 void next_section(Ui& ui) {
-  const int k = ui.state.section ? axis_across(*ui.state.section) + 1 : 0;
+  const int k = ui.state.section ? axis_across(ui.state.section->normal) + 1 : 0;
   if (k == 3) {
     ui.state.section.reset();
   } else {
@@ -19,9 +19,9 @@ void flip_section(ViewPlane& section) {
   section.offset = -section.offset;
 }
 
-int axis_across(const ViewPlane& plane) {
+int axis_across(const Vec3& normal) {
   for (int k = 0; k < 3; ++k) {
-    if (std::abs(plane.normal[k]) > 1 - 1e-12) return k;
+    if (std::abs(normal[k]) > 1 - 1e-12) return k;
   }
   return -1;
 }

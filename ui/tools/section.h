@@ -12,8 +12,8 @@ void next_section(Ui& ui);
 /// Shows the other half.
 void flip_section(ViewPlane& section);
 
-/// The coordinate axis that a plane lies across, 0 to 2; -1: it is oblique.
-int axis_across(const ViewPlane& plane);
+/// The coordinate axis that a plane with this unit normal lies across, 0 to 2; -1: it is oblique.
+int axis_across(const Vec3& normal);
 
 /// The smallest and the largest normal . x of the part's box. Requires: the document is ready.
 std::pair<double, double> extent_along(const Ui& ui, const Vec3& normal);

@@ -33,8 +33,7 @@ class FlushFaces {
     if (literals.empty()) return;
     for (int q = 0; q < static_cast<int>(leader_.size()); ++q) {
       const auto found = std::find(literals.begin(), literals.end(), patch(q).literal);
-      if (found == literals.end() || !patch(q).is_flat || !patch(p).is_flat) continue;
-      if (!on_same_surface(model_, patch(p), patch(q))) continue;
+      if (found == literals.end() || !on_same_surface(model_, patch(p), patch(q))) continue;
       const int a = leader(p);
       const int b = leader(q);
       leader_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
