@@ -2,6 +2,7 @@
 /// Everything a user can do, as values: carried out, undone, recorded and replayed.
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -52,6 +53,10 @@ struct RenamePartition {
   PartitionPath partition;
   std::string name;
 };
+struct ColourPartition {
+  PartitionPath partition;
+  std::optional<std::uint32_t> colour;  ///< 0xRRGGBB; none: that of its place
+};
 struct SetPartitionOp {
   PartitionPath partition;
   Op op = Op::Union;
@@ -67,8 +72,8 @@ struct SetOption {
 struct SetSeed {
   std::uint64_t seed = 1;
 };
-/// Changes a number of a literal of the found tree. Other edits of the plan, names aside, take such
-/// changes back, because they lead to other trees.
+/// Changes a number of a literal of the found tree. Other edits of the plan, names and colours
+/// aside, take such changes back, because they lead to other trees.
 struct EditLiteral {
   LiteralEdit edit;
 };
@@ -94,9 +99,9 @@ struct Redo {};
 
 using SessionCommand =
     std::variant<AddCut, MoveCut, DeleteCut, MergeGroups, DeleteMerge, AddPartition, AssignGroups,
-                 RemovePartition, RenamePartition, SetPartitionOp, MovePartition, SetOption,
-                 SetSeed, EditLiteral, SetPlan, OpenFile, SaveProject, Reconstruct, ExportTree,
-                 Undo, Redo>;
+                 RemovePartition, RenamePartition, ColourPartition, SetPartitionOp, MovePartition,
+                 SetOption, SetSeed, EditLiteral, SetPlan, OpenFile, SaveProject, Reconstruct,
+                 ExportTree, Undo, Redo>;
 
 /// "Cut", "New partition", ...: what menus and the undo list call it.
 const char* title_of(const SessionCommand& command);

@@ -30,6 +30,14 @@ Op read_op(const Json& object) {
   return *op;
 }
 
+std::optional<std::uint32_t> read_colour(const Json& object) {
+  const std::string text = object.at("colour").get<std::string>();
+  if (text.empty()) return std::nullopt;
+  auto colour = colour_from_text(text);
+  if (!colour) throw BadCommand{colour.error()};
+  return *colour;
+}
+
 /// The name in the log, the title for people, and the fields both ways.
 template <class C>
 struct Entry;
@@ -129,6 +137,18 @@ struct Entry<RenamePartition> {
   }
   static RenamePartition read(const Json& j) {
     return {j.at("partition").get<PartitionPath>(), j.at("name").get<std::string>()};
+  }
+};
+
+template <>
+struct Entry<ColourPartition> {
+  static constexpr const char* kName = "colour-partition";
+  static constexpr const char* kTitle = "Change colour";
+  static Json write(const ColourPartition& c) {
+    return {{"partition", c.partition}, {"colour", c.colour ? colour_text(*c.colour) : ""}};
+  }
+  static ColourPartition read(const Json& j) {
+    return {j.at("partition").get<PartitionPath>(), read_colour(j)};
   }
 };
 

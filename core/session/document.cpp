@@ -16,12 +16,18 @@ void collect_paths(const PartitionPlan& plan, PartitionPath& path,
   PartitionView view;
   view.path = path;
   view.takes_rest = plan.takes_rest;
+  view.colour = plan.colour;
   out.push_back(std::move(view));
   for (std::size_t i = 0; i < plan.children.size(); ++i) {
     path.push_back(static_cast<int>(i));
     collect_paths(plan.children[i], path, out);
     path.pop_back();
   }
+}
+
+void drop_colours(PartitionPlan& plan) {
+  plan.colour.reset();
+  for (PartitionPlan& child : plan.children) drop_colours(child);
 }
 
 const char* sign_of(Op op) {
@@ -46,6 +52,12 @@ std::string plan_text(const Project& project) {
   std::error_code ignored;
   absolute.mesh = std::filesystem::absolute(project.mesh, ignored);
   return project_text(absolute, "/");
+}
+
+std::string search_key(const Project& project) {
+  Project plain = project;
+  drop_colours(plain.root);
+  return plan_text(plain);
 }
 
 std::string source_key(const Project& project) {

@@ -1,7 +1,9 @@
 #pragma once
 /// What is being worked on: the plan, the mesh and its groups. A value: copies are cheap, because
 /// everything large is shared and never changed.
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,9 @@ struct Document {
 /// The plan as project text with the mesh's absolute path: equal texts, equal plans.
 std::string plan_text(const Project& project);
 
+/// What decides the tree: the plan's text without what only shows. Equal keys, equal trees.
+std::string search_key(const Project& project);
+
 /// What decides the face groups before any edit: mesh, seed and the options up to segmentation.
 std::string source_key(const Project& project);
 
@@ -50,6 +55,7 @@ struct PartitionView {
   PartitionPath path;
   Partition partition;
   bool takes_rest = false;
+  std::optional<std::uint32_t> colour;  ///< 0xRRGGBB, as in the plan
 };
 
 /// The partitions of a document that is ready; empty when the plan names a group that is not there

@@ -61,7 +61,8 @@ class Editor {
   Result<Document> carry_out(const SessionCommand& command) {
     const bool keeps_edits = std::holds_alternative<EditLiteral>(command) ||
                              std::holds_alternative<SetPlan>(command) ||
-                             std::holds_alternative<RenamePartition>(command);
+                             std::holds_alternative<RenamePartition>(command) ||
+                             std::holds_alternative<ColourPartition>(command);
     if (!keeps_edits) next_.project.edits.clear();
     const Result<void> done =
         std::visit([this](const auto& c) -> Result<void> { return edit(c); }, command);
@@ -174,6 +175,13 @@ class Editor {
     if (!plan) return no_partition();
     if (command.name.empty()) return refused("a partition needs a name");
     plan->name = command.name;
+    return {};
+  }
+
+  Result<void> edit(const ColourPartition& command) {
+    PartitionPlan* plan = find_partition(next_.project.root, command.partition);
+    if (!plan) return no_partition();
+    plan->colour = command.colour;
     return {};
   }
 

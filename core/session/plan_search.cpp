@@ -15,7 +15,7 @@ double total_seconds(const Reconstruction& found) {
 SharedResult as_result(const PlanSearch& search, Reconstruction found) {
   auto result = std::make_shared<FoundResult>();
   result->project = search.document.project;
-  result->plan = plan_text(search.document.project);
+  result->key = search_key(search.document.project);
   result->source = search.source;
   result->seconds = total_seconds(found);
   result->found = std::move(found);

@@ -14,7 +14,7 @@ namespace hewn {
 /// A tree that was found, with the plan that it belongs to. Immutable.
 struct FoundResult {
   Project project;
-  std::string plan;    ///< `plan_text` of the project
+  std::string key;     ///< `search_key` of the project
   std::string source;  ///< short: "plan", "8 starts", "seed 2"
   Reconstruction found;
   double seconds = 0;

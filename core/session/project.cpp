@@ -1,5 +1,6 @@
 #include "core/session/project.h"
 
+#include <charconv>
 #include <cmath>
 #include <system_error>
 
@@ -99,16 +100,28 @@ Op read_op(const Json& value, const std::string& where) {
   fail(where, R"(the operation must be "union", "difference" or "intersection")");
 }
 
+std::uint32_t read_colour(const Json& value, const std::string& where) {
+  const std::string text = value.is_string() ? value.get<std::string>() : "";
+  std::uint32_t colour = 0;
+  const char* end = text.data() + text.size();
+  if (text.size() != 7 || text[0] != '#' ||
+      std::from_chars(text.data() + 1, end, colour, 16).ptr != end) {
+    fail(where, R"(a colour must be a text like "#1f77b4")");
+  }
+  return colour;
+}
+
 PartitionPlan read_partition(const Json& value, const std::string& where, int depth) {
   constexpr int kDeepest = 64;  // the reader is recursive: bound what a file can make it do
   if (depth > kDeepest) fail(where, fmt::format("partitions nest deeper than {}", kDeepest));
-  check_keys(value, where, {"name", "op", "groups", "children"});
+  check_keys(value, where, {"name", "op", "groups", "children", "colour"});
   PartitionPlan plan;
   if (value.contains("name")) {
     if (!value["name"].is_string()) fail(where + ".name", "a text is needed");
     plan.name = value["name"].get<std::string>();
   }
   if (value.contains("op")) plan.op = read_op(value["op"], where + ".op");
+  if (value.contains("colour")) plan.colour = read_colour(value["colour"], where + ".colour");
   if (value.contains("groups") && value["groups"] == "rest") {
     plan.takes_rest = true;
   } else if (value.contains("groups")) {
@@ -212,6 +225,7 @@ Json partition_json(const PartitionPlan& plan) {
   } else if (!plan.groups.empty()) {
     object["groups"] = groups_to_json(plan.groups);
   }
+  if (plan.colour) object["colour"] = colour_text(*plan.colour);
   for (const PartitionPlan& child : plan.children) {
     object["children"].push_back(partition_json(child));
   }
@@ -234,6 +248,16 @@ Json groups_to_json(const std::vector<GroupRef>& groups) {
 Result<std::vector<GroupRef>> groups_from_json(const Json& value, const std::string& where) {
   try {
     return read_groups(value, where);
+  } catch (const BadProject& bad) {
+    return bad.error;
+  }
+}
+
+std::string colour_text(std::uint32_t colour) { return fmt::format("#{:06x}", colour & 0xffffff); }
+
+Result<std::uint32_t> colour_from_text(std::string_view text) {
+  try {
+    return read_colour(Json(text), "colour");
   } catch (const BadProject& bad) {
     return bad.error;
   }

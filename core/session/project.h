@@ -37,7 +37,8 @@ struct PartitionPlan {
   Op op = Op::Union;  ///< Union, Difference or Intersection
   std::vector<GroupRef> groups;
   bool takes_rest = false;  ///< all groups that no partition names
-  std::vector<PartitionPlan> children;
+  std::vector<PartitionPlan> children = {};
+  std::optional<std::uint32_t> colour = {};  ///< 0xRRGGBB; without one, that of its place
 };
 
 struct Project {
@@ -46,7 +47,7 @@ struct Project {
   Settings settings;
   std::vector<CutStep> cuts;                  ///< in order; each sees the groups of those before
   std::vector<std::vector<GroupRef>> merges;  ///< after the cuts
-  PartitionPlan root = {"part", Op::Union, {}, true, {}};
+  PartitionPlan root = {"part", Op::Union, {}, true};
   std::vector<LiteralEdit> edits;  ///< of the tree that is found
 };
 
@@ -67,6 +68,11 @@ Result<Project> load_project(const std::filesystem::path& path);
 nlohmann::json groups_to_json(const std::vector<GroupRef>& groups);
 Result<std::vector<GroupRef>> groups_from_json(const nlohmann::json& value,
                                                const std::string& where);
+
+/// "#rrggbb", as in a project file.
+std::string colour_text(std::uint32_t colour);
+/// Fails with: Format.
+Result<std::uint32_t> colour_from_text(std::string_view text);
 
 /// "union", "difference" or "intersection", as in a project file.
 const char* name_of(Op op);

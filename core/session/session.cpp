@@ -301,7 +301,7 @@ int Session::add_search(const Project& project, const std::string& source) {
   const auto board = std::make_shared<PartBoard>();
   if (source == "plan") {
     board_ = board;
-    board_plan_ = plan();
+    board_key_ = key();
     for (const PartitionView& view : partitions()) {
       if (!view.partition.groups.empty()) board->update({.name = view.partition.name});
     }
@@ -316,13 +316,13 @@ int Session::add_search(const Project& project, const std::string& source) {
   return jobs_.add(std::move(name), [this, search, board](const RunContext& run) -> JobCompletion {
     auto outcome = search_plan(search, run);
     if (!outcome) board->stop();
-    return [this, outcome, searched = plan_text(search.document.project)] {
+    return [this, outcome, searched = search_key(search.document.project)] {
       ++revision_;
       if (outcome) {
         adopt_result(*outcome);
       } else if (outcome.error().code != ErrorCode::Cancelled) {
         draft_ = {};
-        if (searched == plan()) failure_ = text_of(outcome.error());
+        if (searched == key()) failure_ = text_of(outcome.error());
         report(outcome.error());
       }
     };
@@ -335,11 +335,11 @@ Result<void> Session::start_search() {
                  "the mesh is still being divided into groups; wait until it is done"};
   }
   if (current_result()) return {};
-  if (plan() == searched_plan_ && is_busy()) return {};
+  if (key() == searched_key_ && is_busy()) return {};
   jobs_.cancel(search_job_);
   for (const int job : std::exchange(variant_jobs_, {})) jobs_.cancel(job);
   failure_.clear();
-  searched_plan_ = plan();
+  searched_key_ = key();
   search_job_ = add_search(document().project, "plan");
   return {};
 }
@@ -350,10 +350,7 @@ void Session::search_variants() {
   Project project = document().project;
   project.edits.clear();  // other trees have other literals
   const auto add = [this](const Project& variant, const std::string& name) {
-    const std::string text = plan_text(variant);
-    const bool is_known = std::any_of(results_.begin(), results_.end(),
-                                      [&text](const auto& r) { return r->plan == text; });
-    if (!is_known) variant_jobs_.push_back(add_search(variant, name));
+    if (!result_for(search_key(variant))) variant_jobs_.push_back(add_search(variant, name));
   };
   for (const int starts : {1, 8}) {
     Project variant = project;
@@ -376,20 +373,20 @@ void Session::search_variants() {
 
 void Session::adopt_draft(const DrawnResult& draft) {
   ++revision_;
-  if (draft.result->plan == plan() && !current_result()) draft_ = draft;
+  if (draft.result->key == key() && !current_result()) draft_ = draft;
 }
 
 void Session::adopt_result(const DrawnResult& drawn) {
   const SharedResult& result = drawn.result;
-  std::erase_if(results_, [&result](const auto& r) { return r->plan == result->plan; });
+  std::erase_if(results_, [&result](const auto& r) { return r->key == result->key; });
   results_.push_back(result);
   if (results_.size() > kMostResults) results_.erase(results_.begin());
-  if (result->plan == plan() || !last_result_) last_result_ = result;
+  if (result->key == key() || !last_result_) last_result_ = result;
   note(Severity::Info,
        fmt::format("Found ({})  {} literals, size {}, proximity {:.3f}, {:.2f} s", result->source,
                    literal_count(result->found.tree), tree_size(result->found.tree),
                    result->found.score.proximity, result->seconds));
-  if (draft_.result && draft_.result->plan == result->plan) draft_ = {};
+  if (draft_.result && draft_.result->key == result->key) draft_ = {};
   if (!wants_views_) return;
   if (drawn.view) views_.put(result, drawn.view);
   views_.want(shown_result(), jobs_);
@@ -429,12 +426,13 @@ Result<void> Session::export_tree(const ExportTree& command) {
   return {};
 }
 
-const std::string& Session::plan() const {
-  if (derived_.plan_edition != history_.edition()) {
-    derived_.plan = plan_text(document().project);
-    derived_.plan_edition = history_.edition();
+const Session::Derived& Session::derived() const {
+  if (derived_.edition != history_.edition()) {
+    const Project& project = document().project;
+    derived_ = {history_.edition(), plan_text(project), search_key(project),
+                partition_views(document())};
   }
-  return derived_.plan;
+  return derived_;
 }
 
 std::vector<PartProgress> Session::partition_progress() const {
@@ -449,31 +447,25 @@ std::vector<PartProgress> Session::partition_progress() const {
     }
     return parts;
   }
-  return board_ && board_plan_ == plan() ? board_->parts() : std::vector<PartProgress>{};
+  return board_ && board_key_ == key() ? board_->parts() : std::vector<PartProgress>{};
 }
 
-const std::vector<PartitionView>& Session::partitions() const {
-  if (derived_.partition_edition != history_.edition()) {
-    derived_.partitions = partition_views(document());
-    derived_.partition_edition = history_.edition();
-  }
-  return derived_.partitions;
-}
+const std::vector<PartitionView>& Session::partitions() const { return derived().partitions; }
 
-std::shared_ptr<const FoundResult> Session::result_for(const std::string& plan) const {
+std::shared_ptr<const FoundResult> Session::result_for(const std::string& key) const {
   const auto latest = std::find_if(results_.rbegin(), results_.rend(),
-                                   [&](const auto& result) { return result->plan == plan; });
+                                   [&](const auto& result) { return result->key == key; });
   return latest == results_.rend() ? nullptr : *latest;
 }
 
-std::shared_ptr<const FoundResult> Session::current_result() const { return result_for(plan()); }
+std::shared_ptr<const FoundResult> Session::current_result() const { return result_for(key()); }
 
 /// The result that the plan's edits of literals start from; null without edits.
 std::shared_ptr<const FoundResult> Session::unedited_result() const {
   Project project = document().project;
   if (project.edits.empty()) return nullptr;
   project.edits.clear();
-  return result_for(plan_text(project));
+  return result_for(search_key(project));
 }
 
 std::shared_ptr<const FoundResult> Session::shown_result() const {
@@ -482,7 +474,7 @@ std::shared_ptr<const FoundResult> Session::shown_result() const {
 }
 
 bool Session::shows_draft() const {
-  return draft_.result && draft_.result->plan == plan() && !current_result();
+  return draft_.result && draft_.result->key == key() && !current_result();
 }
 
 void Session::preview(const std::shared_ptr<const FoundResult>& result) {

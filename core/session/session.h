@@ -132,20 +132,23 @@ class Session {
   void adopt_source(const Project& project, Result<Document> read);
   void adopt_draft(const DrawnResult& draft);
   void adopt_result(const DrawnResult& drawn);
-  std::shared_ptr<const FoundResult> result_for(const std::string& plan) const;
+  std::shared_ptr<const FoundResult> result_for(const std::string& key) const;
   std::shared_ptr<const FoundResult> unedited_result() const;
   int add_search(const Project& project, const std::string& source);
   void report(const Error& error);
   void note(Severity severity, std::string text);
   void record(const SessionCommand& command);
-  const std::string& plan() const;
+  const std::string& plan() const { return derived().plan; }
+  const std::string& key() const { return derived().key; }
 
   /// What is derived from the document again and again, kept until it changes.
   struct Derived {
-    std::uint64_t plan_edition = 0, partition_edition = 0;
-    std::string plan;
+    std::uint64_t edition = 0;
+    std::string plan;  ///< `plan_text`
+    std::string key;   ///< `search_key`
     std::vector<PartitionView> partitions;
   };
+  const Derived& derived() const;
 
   std::shared_ptr<Compute> compute_;
   History history_;
@@ -164,8 +167,8 @@ class Session {
   int search_job_ = 0;
   std::shared_ptr<FoundPartitions> found_ = std::make_shared<FoundPartitions>();  ///< in this mesh
   std::shared_ptr<PartBoard> board_;  ///< of the last search for a plan
-  std::string board_plan_;
-  std::string searched_plan_;
+  std::string board_key_;
+  std::string searched_key_;
   std::vector<int> variant_jobs_;
   std::shared_ptr<const PreparedMesh> display_of_;
   std::shared_ptr<const DisplayMesh> display_;

@@ -151,6 +151,8 @@ TEST_CASE("colours tell what they are asked to") {
   std::set<int> reds;
   for (const LabelState& state : owners) reds.insert(state.red);
   CHECK(reds.size() == 2);  // two partitions
+  REQUIRE(bench.session().execute(ColourPartition{{0}, 0x102030}));
+  CHECK(group_states(ui)[bench.hole_group()] == LabelState{0x10, 0x20, 0x30, 0});
   bench.state().hovered = 2;
   CHECK((group_states(ui)[2].flags & kHoveredFlag) != 0);
 }

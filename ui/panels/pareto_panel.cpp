@@ -114,7 +114,7 @@ void draw_pareto(Ui& ui) {
       short_number(nearest->found.score.mean_distance * nearest->found.prepared.mesh->diagonal())
           .c_str());
   if (is_clicked && nearest != ui.session.current_result()) {
-    static_cast<void>(ui.session.execute(SetPlan{nearest->plan}));
+    static_cast<void>(ui.session.execute(SetPlan{plan_text(nearest->project)}));
   }
 }
 

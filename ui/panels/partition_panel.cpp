@@ -6,6 +6,7 @@
 
 #include "core/session/describe.h"
 #include "ui/panels/widgets.h"
+#include "ui/view/look.h"
 
 namespace hewn {
 namespace {
@@ -34,6 +35,31 @@ void draw_op_choice(Ui& ui, const PartitionView& view) {
       static_cast<void>(ui.session.execute(SetPartitionOp{view.path, op}));
     }
   }
+}
+
+void colour_partition(Ui& ui, const PartitionView& view, std::optional<std::uint32_t> colour) {
+  if (view.colour == colour) return;
+  static_cast<void>(ui.session.execute(ColourPartition{view.path, colour}));
+  ui.state.colours = ColourMode::Partition;
+}
+
+/// A small choice that goes well together.
+void draw_colour_choice(Ui& ui, const PartitionView& view) {
+  constexpr int kColours = 12;
+  constexpr int kInRow = 6;
+  if (!ImGui::BeginMenu("Colour")) return;
+  for (int i = 0; i < kColours; ++i) {
+    const LabelState c = golden_state(i);
+    ImGui::PushID(i);
+    if (i % kInRow > 0) ImGui::SameLine(0, ui.px(4));
+    if (ImGui::ColorButton("##colour", to_colour(c), ImGuiColorEditFlags_NoTooltip)) {
+      colour_partition(ui, view, c.red << 16 | c.green << 8 | c.blue);
+      ImGui::CloseCurrentPopup();
+    }
+    ImGui::PopID();
+  }
+  if (ImGui::MenuItem("By its place", nullptr, !view.colour)) colour_partition(ui, view, {});
+  ImGui::EndMenu();
 }
 
 bool is_all_hidden(const Ui& ui, const std::vector<int>& groups) {
@@ -83,6 +109,7 @@ void draw_row_menu(Ui& ui, const PartitionView& view, const PartProgress* progre
     static_cast<void>(ui.session.execute(AssignGroups{view.path, refs}));
   }
   draw_reach(ui, view);
+  draw_colour_choice(ui, view);
   if (ImGui::MenuItem("Rename")) {
     ui.state.is_renaming = true;
     ui.state.renaming = view.path;
@@ -224,16 +251,23 @@ void draw_eye(Ui& ui, const PartitionView& view, bool is_hot, const ImVec2& lo, 
   if (is_over && ImGui::IsMouseClicked(0)) flip_visibility(ui, view.partition.groups);
 }
 
-/// The operation, or the colour where partitions have one.
-void draw_sign(const Ui& ui, const PartitionView& view, std::size_t row) {
+/// The operation, and the colour where partitions show one; then goes to where the name begins.
+void draw_sign(const Ui& ui, const PartitionView& view, std::size_t row, float indent) {
   const bool has_colour = ui.state.colours == ColourMode::Partition;
-  if (has_colour || view.path.empty()) {
-    dot(ui, has_colour ? to_colour(golden_state(static_cast<int>(row))) : ui.theme.faint);
+  const ImVec4 colour = has_colour ? to_colour(partition_colour(view, row)) : ui.theme.faint;
+  ImGui::SameLine(indent + ui.px(12));
+  if (view.path.empty()) {
+    dot(ui, colour);
+    ImGui::SameLine(indent + ui.px(28));
     return;
   }
   ImGui::PushStyleColor(ImGuiCol_Text, op_colour(view.partition.op));
   ImGui::TextUnformatted(op_sign(view.partition.op));
   ImGui::PopStyleColor();
+  ImGui::SameLine(indent + ui.px(28));
+  if (!has_colour) return;
+  dot(ui, colour);
+  ImGui::SameLine(indent + ui.px(44));
 }
 
 void draw_partition(Ui& ui, const std::vector<PartitionView>& views, std::size_t row,
@@ -243,8 +277,8 @@ void draw_partition(Ui& ui, const std::vector<PartitionView>& views, std::size_t
   const float indent = ui.px(14) * static_cast<float>(view.path.size());
   if (indent > 0) ImGui::Indent(indent);
   if (ui.state.is_renaming && ui.state.renaming == view.path) {
-    draw_sign(ui, view, row);
-    ImGui::SameLine(indent + ui.px(28));
+    ImGui::Dummy({});  // what the sign stands beside
+    draw_sign(ui, view, row, indent);
     draw_rename(ui, view.path);
   } else {
     const bool is_active = ui.state.active_partition == view.path;
@@ -261,9 +295,7 @@ void draw_partition(Ui& ui, const std::vector<PartitionView>& views, std::size_t
     const PartProgress* progress = progress_of(all, view.partition.name);
     draw_row_menu(ui, view, progress);
     draw_drag(ui, views, row);
-    ImGui::SameLine(indent + ui.px(12));
-    draw_sign(ui, view, row);
-    ImGui::SameLine(indent + ui.px(28));
+    draw_sign(ui, view, row, indent);
     const std::string right = fmt::format("{}{}{:>4}", progress ? progress_text(*progress) : "",
                                           progress ? "   " : "", view.partition.groups.size());
     const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(right.c_str()).x;

@@ -14,23 +14,24 @@ bool holds(const std::vector<int>& sorted, int value) {
   return std::binary_search(sorted.begin(), sorted.end(), value);
 }
 
-/// Colour by partition: the number of the partition that owns each group; -1: none.
-std::vector<int> owners(const Ui& ui) {
-  std::vector<int> out(ui.session.document().prepared->segmentation.groups.size(), -1);
+/// Of each group the colour of the partition that owns it; grey without one.
+std::vector<LabelState> colours_of_owners(const Ui& ui) {
+  std::vector<LabelState> out(ui.session.document().prepared->segmentation.groups.size(),
+                              {0x9a, 0xa0, 0xa6, 0});
   const auto& views = ui.session.partitions();
   for (std::size_t p = 0; p < views.size(); ++p) {
-    for (const int g : views[p].partition.groups) out[g] = static_cast<int>(p);
+    for (const int g : views[p].partition.groups) out[g] = partition_colour(views[p], p);
   }
   return out;
 }
 
-LabelState base_state(const Ui& ui, int group, const std::vector<int>& owner) {
+LabelState base_state(const Ui& ui, int group, const std::vector<LabelState>& owner) {
   const FaceGroup& face = ui.session.document().prepared->segmentation.groups[group];
   switch (ui.state.colours) {
     case ColourMode::Kind:
       return kind_state(face.surface.kind, face.is_fitted);
     case ColourMode::Partition:
-      return owner[group] < 0 ? LabelState{0x9a, 0xa0, 0xa6, 0} : golden_state(owner[group]);
+      return owner[group];
     case ColourMode::Group:
     case ColourMode::Deviation:
       break;
@@ -121,6 +122,13 @@ LabelState group_colour(const Ui& ui, int group) {
   return golden_state(g < ui.state.group_colours.size() ? ui.state.group_colours[g] : group);
 }
 
+LabelState partition_colour(const PartitionView& partition, std::size_t place) {
+  if (!partition.colour) return golden_state(static_cast<int>(place));
+  const std::uint32_t c = *partition.colour;
+  return {static_cast<std::uint8_t>(c >> 16), static_cast<std::uint8_t>(c >> 8),
+          static_cast<std::uint8_t>(c), 0};
+}
+
 ShowMode shown_mode(const Ui& ui) {
   if (ui.state.is_comparing) return ShowMode::Input;
   const bool hides_result = ui.state.show == ShowMode::Input;
@@ -146,8 +154,8 @@ std::vector<LabelState> group_states(const Ui& ui) {
   const Document& document = ui.session.document();
   std::vector<LabelState> states;
   if (!document.is_ready()) return states;
-  std::vector<int> owner;
-  if (ui.state.colours == ColourMode::Partition) owner = owners(ui);
+  std::vector<LabelState> owner;
+  if (ui.state.colours == ColourMode::Partition) owner = colours_of_owners(ui);
   const int count = static_cast<int>(document.prepared->segmentation.groups.size());
   const bool has_knife = ui.state.knife.plane.has_value();
   for (int g = 0; g < count; ++g) {

@@ -11,6 +11,9 @@ namespace hewn {
 /// The group's own colour: unlike those of the groups beside it.
 LabelState group_colour(const Ui& ui, int group);
 
+/// The partition's own colour, or one for its place among all.
+LabelState partition_colour(const PartitionView& partition, std::size_t place);
+
 /// The looks of the input's groups.
 std::vector<LabelState> group_states(const Ui& ui);
 

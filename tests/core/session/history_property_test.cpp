@@ -16,8 +16,8 @@ class CommandSource {
   CommandSource(const Session& session, Rng& rng) : session_(session), rng_(rng) {}
 
   SessionCommand draw() {
-    switch (rng_.below(14)) {
-      case 13:
+    switch (rng_.below(15)) {
+      case 14:
         return edit_literal();
       case 0:
         return cut();
@@ -42,6 +42,8 @@ class CommandSource {
         return set_op();
       case 11:
         return move();
+      case 12:
+        return colour();
       default:
         return rng_.coin() ? SessionCommand(Undo{}) : SessionCommand(Redo{});
     }
@@ -108,6 +110,11 @@ class CommandSource {
   SessionCommand rename() {
     PartitionPath target = path();
     return RenamePartition{std::move(target), "name " + std::to_string(rng_.below(100))};
+  }
+  SessionCommand colour() {
+    PartitionPath target = path();
+    if (rng_.below(3) == 0) return ColourPartition{std::move(target), {}};
+    return ColourPartition{std::move(target), static_cast<std::uint32_t>(rng_.below(1 << 24))};
   }
   SessionCommand edit_literal() {
     const int literal = small();
@@ -191,6 +198,7 @@ TEST_CASE("every kind of command survives its line") {
       AssignGroups{{1}, refs},
       RemovePartition{{0}},
       RenamePartition{{0, 1}, "x"},
+      ColourPartition{{0}, 0x00ff7f},
       SetPartitionOp{{0}, Op::Difference},
       MovePartition{{0}, {1, 0}, 2},
       SetOption{"tree", "starts", "2"},

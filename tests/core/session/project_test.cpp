@@ -3,6 +3,7 @@
 #include <string>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "core/base/rng.h"
 
@@ -21,7 +22,8 @@ constexpr const char* kFull = R"({
     "children": [
       {"name": "holes", "op": "difference", "groups": [{"at": [0, 0, 5], "index": 7}],
        "children": [{"name": "pin", "op": "union", "groups": [3]}]},
-      {"name": "core", "op": "intersection", "groups": [5, 6]}
+      {"name": "core", "op": "intersection", "groups": [5, 6],
+       "colour": "#01c0FE"}
     ]
   }
 })";
@@ -56,6 +58,8 @@ TEST_CASE("every key of a project reaches its place") {
   CHECK(project->root.children[0].op == Op::Difference);
   CHECK(project->root.children[0].children[0].name == "pin");
   CHECK(project->root.children[1].op == Op::Intersection);
+  CHECK(project->root.children[1].colour == 0x01c0feU);
+  CHECK_FALSE(project->root.colour);
 }
 
 TEST_CASE("a project survives writing and reading") {
@@ -116,6 +120,11 @@ TEST_CASE("a mistake deep in a project is named by its path") {
   CHECK(op.where == "partition.children[0].op");
   const Error group = error_of(with_partition(R"({"groups": [{"at": [1, 2]}]})"));
   CHECK(group.where == "partition.groups[0].at");
+  for (const char* colour : {R"("red")", R"("#12345")", R"("#1234567")", R"("#12345g")", "7"}) {
+    const Error bad =
+        error_of(with_partition(fmt::format(R"({{"groups": [1], "colour": {}}})", colour)));
+    CHECK(bad.where == "partition.colour");
+  }
   const Error empty = error_of(with_partition(R"({"name": "x"})"));
   CHECK(empty.message.find("needs groups") != std::string::npos);
   const Error twice =

@@ -243,11 +243,32 @@ TEST_CASE("a picked result puts its plan in place, and undo takes it back") {
   session.wait();
   REQUIRE(session.results().size() == 7);
   const auto variant = session.results().back();
-  REQUIRE(session.execute(SetPlan{variant->plan}));
+  REQUIRE(session.execute(SetPlan{plan_text(variant->project)}));
   CHECK(session.current_result() == variant);
   CHECK(session.document().is_ready());
   REQUIRE(session.execute(Undo{}));
   CHECK(session.current_result() == session.results().front());
+}
+
+TEST_CASE("a partition's colour is part of the plan, but no tree depends on it") {
+  OpenSession open;
+  Session& session = open.session;
+  REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
+  REQUIRE(session.execute(Reconstruct{}));
+  session.wait();
+  const auto found = session.current_result();
+  REQUIRE(found);
+  session.set_live(true);
+  REQUIRE(session.execute(ColourPartition{{0}, 0xff8000}));
+  CHECK_FALSE(session.is_busy());
+  CHECK(session.current_result() == found);
+  CHECK(session.partitions()[1].colour == 0xff8000U);
+  const auto saved = parse_project(plan_text(session.document().project), "/");
+  REQUIRE(saved);
+  CHECK(saved->root.children[0].colour == 0xff8000U);
+  CHECK_FALSE(session.execute(ColourPartition{{0}, 0xff8000}));  // nothing would change
+  REQUIRE(session.execute(Undo{}));
+  CHECK_FALSE(session.partitions()[1].colour);
 }
 
 TEST_CASE("an edited radius is measured anew, undone, saved and replayed") {
