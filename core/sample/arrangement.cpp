@@ -10,29 +10,13 @@
 #include "core/compute/parallel.h"
 #include "core/csg/tree_ray.h"
 #include "core/sample/arrangement_lines.h"
+#include "core/sample/arrangement_walk.h"
 
 namespace hewn {
 namespace {
 
-constexpr double kResolution = 1e-6;  ///< share of the scale
-/// Nearer to a surface than this share of the scale, rounding may decide the side.
-constexpr double kUncertain = 1e-9;
+constexpr double kResolution = 1e-6;     ///< share of the scale
 constexpr double kUncertainMesh = 3e-7;  ///< of a polyhedron's diagonal: rays in single precision
-
-/// Cells found by one chunk of work, each once. A cell is known by its key, the exclusive or of the
-/// keys of the literals that hold it: one crossing changes it at once. That two cells have the same
-/// key is less likely than a cell no line meets.
-struct Finds {
-  std::vector<Vec3> points;
-  std::vector<std::uint64_t> keys;
-  std::unordered_set<std::uint64_t> known;  // looked up only
-
-  void add(const Vec3& p, std::uint64_t key) {
-    if (!known.insert(key).second) return;
-    points.push_back(p);
-    keys.push_back(key);
-  }
-};
 
 std::vector<std::uint64_t> literal_keys(std::size_t literals) {
   Rng rng(0x5CE11);
@@ -42,87 +26,11 @@ std::vector<std::uint64_t> literal_keys(std::size_t literals) {
 }
 
 /// What all chunks read.
-struct Scene {
-  const Arrangement& arrangement;
-  const TreeRays& rays;
-  Box3 box;  ///< of all literals
+struct Scene : Walkable {
   const ArrangementOptions& options;
   std::uint64_t seed;
-  std::vector<std::uint64_t> keys;              ///< of each literal
   std::vector<std::vector<FacePlane>> planes;   ///< of each literal
   std::vector<std::pair<int, int>> neighbours;  ///< literals whose bounds meet
-};
-
-/// Walks lines and circles through the arrangement.
-class Walker {
- public:
-  Walker(const Scene& scene, Finds& finds) : scene_(scene), finds_(finds) {}
-
-  /// Every cell along the line that is longer than rounding on it.
-  void line(const ProbeLine& probe) {
-    const double reach = 2 * scene_.box.diagonal() + (probe.point - scene_.box.center()).norm();
-    const Vec3 from = probe.point - reach * probe.direction;
-    events_.clear();
-    scene_.rays.cast_literals(from, probe.direction, stretches_);
-    for (const TreeInterval& s : stretches_) {
-      events_.emplace_back(s.enter.t, s.enter.literal);
-      events_.emplace_back(s.leave.t, s.leave.literal);
-    }
-    std::sort(events_.begin(), events_.end());
-    std::uint64_t key = 0;
-    const double shortest = 4 * kUncertain * scene_.arrangement.scale;
-    for (std::size_t i = 0; i < events_.size(); ++i) {
-      key ^= scene_.keys[static_cast<std::size_t>(events_[i].second)];
-      const bool is_last = i + 1 == events_.size();
-      const double next = is_last ? events_[i].first + reach * 0.01 : events_[i + 1].first;
-      if (next - events_[i].first < shortest) continue;
-      const Vec3 p = from + (events_[i].first + next) / 2 * probe.direction;
-      finds_.add(p, key);
-    }
-  }
-
-  /// Samples around the circle, and between samples that more than one surface separates.
-  void circle(const ProbeCircle& probe) {
-    std::vector<Word> last;
-    for (int k = 0; k <= kSamples; ++k) {
-      const double angle = 2 * kPi * k / kSamples;
-      std::vector<Word> here = at(probe, angle);
-      if (k > 0) refine(probe, angle - 2 * kPi / kSamples, angle, last, here, 0);
-      last = std::move(here);
-    }
-  }
-
- private:
-  static constexpr int kSamples = 48;
-  static constexpr int kDeepest = 9;
-
-  /// The signature on the circle; empty when a surface is too near.
-  std::vector<Word> at(const ProbeCircle& probe, double angle) {
-    const Vec3 p = probe.center + std::cos(angle) * probe.u + std::sin(angle) * probe.w;
-    std::vector<Word> signature(scene_.arrangement.stride);
-    if (!classify(scene_.arrangement, p, signature.data())) return {};
-    std::uint64_t key = 0;
-    for_each_bit(signature, [&](std::size_t literal) { key ^= scene_.keys[literal]; });
-    finds_.add(p, key);
-    return signature;
-  }
-
-  void refine(const ProbeCircle& probe, double from, double to, const std::vector<Word>& a,
-              const std::vector<Word>& b, int depth) {
-    if (depth >= kDeepest || a.empty() || b.empty()) return;
-    int different = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) different += std::popcount(a[i] ^ b[i]);
-    if (different < 2) return;
-    const double middle = (from + to) / 2;
-    const std::vector<Word> m = at(probe, middle);
-    refine(probe, from, middle, a, m, depth + 1);
-    refine(probe, middle, to, m, b, depth + 1);
-  }
-
-  const Scene& scene_;
-  Finds& finds_;
-  std::vector<std::pair<double, int>> events_;
-  std::vector<TreeInterval> stretches_;
 };
 
 Vec3 point_in(const Box3& box, Rng& rng) {
@@ -402,12 +310,9 @@ Result<std::size_t> ArrangementSampler::sample(const ArrangementOptions& options
   Tree tree;
   tree.literals = out_.literals;
   const TreeRays rays(tree);
-  Scene scene{out_,
-              rays,
-              common_box(out_),
+  Scene scene{{out_, rays, common_box(out_), literal_keys(out_.literals.size())},
               options,
               run.seed + 977 * options.stream,
-              literal_keys(out_.literals.size()),
               {},
               {}};
   for (const Literal& s : out_.literals) scene.planes.push_back(planes_of(s));

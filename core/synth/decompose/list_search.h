@@ -32,6 +32,8 @@ struct ListSearchOptions {
   int first_share = 4;             ///< of a full walk: the first one of each construction
   int regrow_tries = 10;
   bool may_clip = true;  ///< every other start is asked about the frame's box only
+  /// Ends early, without a list, when none as cheap as this is to be expected; 0: never.
+  int most_cost = 0;
 };
 
 /// One search over the cells of a round. Same result for any number of threads.
@@ -50,7 +52,8 @@ class ListSearch {
   /// from its threads, also at the same time.
   void on_found(Found sink) { on_found_ = std::move(sink); }
 
-  /// The cheapest list found; nullopt when no construction succeeds or the run is cancelled.
+  /// The cheapest list found; nullopt when no construction succeeds, the run is cancelled, or the
+  /// search ends early.
   std::optional<FoundList> construct(const Progress& progress);
 
   /// Mends a list that has become wrong and walks on from it. False when that fails.
@@ -60,6 +63,9 @@ class ListSearch {
 
  private:
   double effort() const;
+  bool is_hopeless(const FoundList& list, double rest) const;
+  std::optional<FoundList> start(std::size_t i, long& grown);
+  std::vector<FoundList> start_all(const Progress& progress);
   NeighbourhoodOptions walk_options(const DecisionList& list, int share) const;
   void tell(const DecisionList& list, bool clip);
   void refine(int task, int share, std::vector<FoundList>& lists);

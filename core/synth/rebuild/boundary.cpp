@@ -10,17 +10,12 @@
 namespace hewn {
 namespace {
 
-constexpr std::size_t kRandomLines = 200;
-constexpr std::size_t kRandomLinesPerLiteral = 40;
-constexpr std::size_t kMostRandomLines = 3000;
-constexpr std::size_t kMostPointLines = 12'000;
-
 struct Line {
   Vec3 point, direction;
 };
 
 std::vector<Line> lines_through(const TreeRays& rays, const std::vector<Vec3>& points,
-                                const RunContext& run) {
+                                const BoundaryLines& wanted, const RunContext& run) {
   const Box3 box = rays.tree().bounds();
   Rng rng(run.seed, 0xB0DA);
   std::vector<Line> lines;
@@ -32,13 +27,13 @@ std::vector<Line> lines_through(const TreeRays& rays, const std::vector<Vec3>& p
     if (d.norm() > 1e-3) lines.push_back({p, d.normalized()});
   };
   const std::size_t random = std::min(
-      kMostRandomLines, kRandomLines + kRandomLinesPerLiteral * rays.tree().literals.size());
+      wanted.most_random, wanted.least_random + wanted.per_literal * rays.tree().literals.size());
   for (std::size_t k = 0; k < random; ++k) {
     Vec3 p;
     for (int c = 0; c < 3; ++c) p[c] = rng.uniform(box.lo[c], box.hi[c]);
     add(p, k);
   }
-  const std::size_t step = 1 + 4 * points.size() / kMostPointLines;
+  const std::size_t step = 1 + 4 * points.size() / wanted.through_points;
   for (std::size_t i = 0; i < points.size(); i += step) {
     for (std::size_t k = 0; k < 4; ++k) add(points[i], k);
   }
@@ -48,9 +43,9 @@ std::vector<Line> lines_through(const TreeRays& rays, const std::vector<Vec3>& p
 }  // namespace
 
 std::vector<BoundaryHit> boundary_hits(const TreeRays& rays, const TreeSurfaces& surfaces,
-                                       const std::vector<Vec3>& points, std::size_t most,
+                                       const std::vector<Vec3>& points, const BoundaryLines& wanted,
                                        const RunContext& run) {
-  const std::vector<Line> lines = lines_through(rays, points, run);
+  const std::vector<Line> lines = lines_through(rays, points, wanted, run);
   const Box3 box = rays.tree().bounds();
   std::vector<std::vector<BoundaryHit>> found(lines.size());
   for_each_chunk(run.threads, lines.size(), 64, [&](std::size_t begin, std::size_t end) {
@@ -74,8 +69,10 @@ std::vector<BoundaryHit> boundary_hits(const TreeRays& rays, const TreeSurfaces&
   std::vector<BoundaryHit> hits;
   for (const auto& of_line : found) {
     for (const BoundaryHit& h : of_line) {
-      if (h.halfspace < 0 || count[static_cast<std::size_t>(h.halfspace)] >= most) continue;
-      ++count[static_cast<std::size_t>(h.halfspace)];
+      if (h.halfspace < 0) continue;
+      std::size_t& kept = count[static_cast<std::size_t>(h.halfspace)];
+      if (kept >= wanted.most_hits) continue;
+      ++kept;
       hits.push_back(h);
     }
   }

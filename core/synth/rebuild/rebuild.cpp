@@ -17,7 +17,6 @@
 namespace hewn {
 namespace {
 
-constexpr std::size_t kHitsPerSurface = 200;
 constexpr int kPairsPerSurface = 64;
 /// Nearer to a surface than this share of the scale, rounding may decide the side.
 constexpr double kUncertain = 2e-9;
@@ -36,10 +35,10 @@ class TreeRebuilder::Search {
          const RebuildOptions& options, const RunContext& run)
       : inside_(tree), given_(points), scale_(scale), options_(options), run_(run), rays_(tree) {}
 
-  Result<std::optional<Tree>> next() {
+  Result<std::optional<Tree>> next(int most_literals) {
     if (round_ == 0 && (!has_boundary() || !fill_table())) return nothing();
     if (run_.is_cancelled()) return RunContext::cancelled();
-    const bool has_list = search_round();
+    const bool has_list = search_round(most_literals);
     if (run_.is_cancelled()) return RunContext::cancelled();
     ++round_;
     if (!has_list) return nothing();
@@ -47,15 +46,15 @@ class TreeRebuilder::Search {
   }
 
   int least_literals() {
-    if (options_.depth > 0 || !has_boundary()) return 0;
-    std::vector<char> is_sure(surfaces_.halfspaces.size(), 0);
-    for (const BoundaryHit& h : hits_) {
-      char& sure = is_sure[index_of(h.halfspace)];
+    if (options_.depth > 0 || !has_surfaces()) return 0;
+    std::vector<char> is_sure(known_.all.halfspaces.size(), 0);
+    for (const BoundaryHit& h : boundary_hits(rays_, known_, given_, kFewLines, run_)) {
+      char& sure = is_sure[static_cast<std::size_t>(h.halfspace)];
       if (!sure && changes_label(h)) sure = 1;
     }
     std::vector<Halfspace> bounding;
     for (std::size_t k = 0; k < is_sure.size(); ++k) {
-      if (is_sure[k]) bounding.push_back(surfaces_.halfspaces[k]);
+      if (is_sure[k]) bounding.push_back(known_.all.halfspaces[k]);
     }
     return hewn::least_literals(bounding);
   }
@@ -79,15 +78,22 @@ class TreeRebuilder::Search {
   static Result<std::optional<Tree>> nothing() { return std::optional<Tree>(); }
   const Tree& tree() const { return rays_.tree(); }
 
-  /// Finds the surfaces that bound the solid, once. False when there are none to search with.
-  bool has_boundary() {
+  /// Finds the surfaces of all literals, once. False when some have none, and without an end.
+  bool has_surfaces() {
     if (!has_looked_) {
       has_looked_ = true;
       auto known = tree().is_empty() || !std::isfinite(tree().bounds().diagonal())
                        ? std::nullopt
                        : surfaces_of(tree().literals, scale_);
-      if (!known) return false;
-      known_ = std::move(*known);
+      if (known) known_ = std::move(*known);
+    }
+    return !known_.all.halfspaces.empty();
+  }
+
+  /// Finds those among them that bound the solid, once. False when there are none to search with.
+  bool has_boundary() {
+    if (!has_surfaces()) return false;
+    if (is_used_.empty()) {
       is_used_.assign(known_.all.halfspaces.size(), 0);
       find_boundary();
     }
@@ -96,7 +102,7 @@ class TreeRebuilder::Search {
 
   /// The surfaces on which the solid changes even beyond the depth that is free.
   void find_boundary() {
-    hits_ = boundary_hits(rays_, known_, given_, kHitsPerSurface, run_);
+    hits_ = boundary_hits(rays_, known_, given_, kManyLines, run_);
     std::vector<BoundaryHit> kept;
     surfaces_.directions = known_.all.directions;
     for (const BoundaryHit& h : hits_) {
@@ -278,7 +284,7 @@ class TreeRebuilder::Search {
     return best;
   }
 
-  bool search_round() {
+  bool search_round(int most_literals) {
     separate();
     known_cells_.clear();
     for (const int i : cells_.first_point) {
@@ -293,7 +299,8 @@ class TreeRebuilder::Search {
       s.care = columns_->all();
     }
     keep_inside_box(spaces_[1].care);
-    const ListSearchOptions list = list_options();
+    ListSearchOptions list = list_options();
+    list.most_cost = most_literals;
     ListSearch search(spaces_, list, 0x700000 + 1000 * round_, run_);
     if (round_ > 0 && search.repair(found_)) return true;
     auto found = search.construct([](double) {});
@@ -375,7 +382,9 @@ TreeRebuilder::~TreeRebuilder() = default;
 
 int TreeRebuilder::least_literals() { return search_->least_literals(); }
 
-Result<std::optional<Tree>> TreeRebuilder::next() { return search_->next(); }
+Result<std::optional<Tree>> TreeRebuilder::next(int most_literals) {
+  return search_->next(most_literals);
+}
 
 std::size_t TreeRebuilder::refute(const Tree& found, const std::vector<Vec3>& points) {
   return search_->refute(found, points);

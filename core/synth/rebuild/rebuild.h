@@ -35,9 +35,10 @@ class TreeRebuilder {
   int least_literals();
 
   /// A tree that agrees with the given one on all points so far. Nothing when there is none:
-  /// literals without plain surfaces, an unbounded solid, or no list was found.
+  /// literals without plain surfaces, an unbounded solid, no list was found, or none with at most
+  /// `most_literals` (0: any number) is to be expected.
   /// Fails with: Cancelled. Deterministic for `run.seed`, for any number of threads.
-  Result<std::optional<Tree>> next();
+  Result<std::optional<Tree>> next(int most_literals);
 
   /// Of these points, takes those in which `found` is wrong into account, and those of cells that
   /// are new. Returns how many are wrong.

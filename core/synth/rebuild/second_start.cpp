@@ -52,7 +52,7 @@ Result<std::optional<RebuiltTree>> SecondStart::find(const std::vector<Vec3>& kn
   if (last_) rebuilder_.refute(*last_, known);
   while (round_ < kMostRounds) {
     ++round_;
-    auto tree = rebuilder_.next();
+    auto tree = rebuilder_.next(most_literals);
     if (!tree) return tree.error();
     if (!*tree || literal_count(**tree) > most_literals) break;
     last_ = std::move(**tree);

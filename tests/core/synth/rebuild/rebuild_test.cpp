@@ -128,7 +128,7 @@ TEST_CASE("a cut-up solid is built anew from its few surfaces") {
   const RebuildOptions options;
   const RunContext run;
   TreeRebuilder rebuilder(tree, points, tree.bounds().diagonal(), options, run);
-  const auto found = rebuilder.next();
+  const auto found = rebuilder.next(0);
   REQUIRE(found.has_value());
   REQUIRE(found->has_value());
   CHECK(literal_count(**found) == 2);
@@ -136,6 +136,11 @@ TEST_CASE("a cut-up solid is built anew from its few surfaces") {
   std::vector<Vec3> fresh;
   for (int i = 0; i < 5000; ++i) fresh.push_back(Vec3(2, 1, 0.5) + random_point(rng, 2.5));
   CHECK(rebuilder.refute(**found, fresh) == 0);
+  // No tree is that small.
+  TreeRebuilder bounded(tree, points, tree.bounds().diagonal(), options, run);
+  const auto none = bounded.next(1);
+  REQUIRE(none.has_value());
+  CHECK_FALSE(none->has_value());
   // Another solid is refuted.
   Tree other;
   other.root = other.add_literal(box({0, 0, 0}, {4, 2, 1}));
