@@ -146,6 +146,23 @@ void add_literal(int l, vec3 o, vec3 d) {
   }
 }
 
+// Whether two faces of the literal meet at a point on it.
+bool is_on_rim(Solid s, vec3 p, float reach) {
+  int kind = int(s.shape.x);
+  if (kind == kBox) {
+    vec3 beyond = abs(p - 0.5 * s.shape.yzw) - 0.5 * s.shape.yzw;
+    float least = min(beyond.x, min(beyond.y, beyond.z));
+    float most = max(beyond.x, max(beyond.y, beyond.z));
+    return beyond.x + beyond.y + beyond.z - least - most > -reach;
+  }
+  if (kind != kCylinder && kind != kPrism) return false;
+  bool is_cylinder = kind == kCylinder;
+  float height = is_cylinder ? s.shape.w : s.shape.z;
+  if (max(-p.z, p.z - height) < -reach) return false;
+  float slope = is_cylinder ? (s.shape.z - s.shape.y) / s.shape.w : 0.0;
+  return length(p.xy) - s.shape.y - slope * p.z > -reach;
+}
+
 // Of the literal's boundary near a point on it, local coordinates; not unit.
 vec3 local_normal(Solid s, vec3 p) {
   int kind = int(s.shape.x);
