@@ -58,8 +58,16 @@ class Walker {
     bool is_certain = false;
     std::vector<Word> holds;  ///< a bit for each of `near_`
   };
+  /// A literal that the circle may meet, with its distance somewhere on the circle: further along
+  /// by less than that, its side is the same.
+  struct Near {
+    std::size_t literal = 0;
+    double distance = 0;
+    double at = 0;  ///< along the circle
+  };
   void find_near(const ProbeCircle& probe);
-  void take(const Vec3& p, Sample& out);
+  double distance_of(Near& near, const Vec3& p, double at) const;
+  void take(const Vec3& p, double at, Sample& out);
   void refine(const ProbeCircle& probe, double from, double to, const Sample& a, const Sample& b,
               int depth);
 
@@ -67,7 +75,8 @@ class Walker {
   Finds& finds_;
   std::vector<std::pair<double, int>> events_;
   std::vector<TreeInterval> stretches_;
-  std::vector<std::size_t> near_;  ///< literals that the circle may meet
+  std::vector<Near> near_;
+  double radius_ = 0;  ///< of the circle
   Sample last_, here_;
   Sample middle_[kDeepest];     ///< by depth
   std::uint64_t last_key_ = 0;  ///< of the last sample, once there are finds
