@@ -18,6 +18,26 @@ const OptionRef& find_option(const std::vector<OptionSection>& sections, std::st
                        [&](const OptionRef& o) { return o.name == option; });
 }
 
+void add_setting_flag(CLI::App& app, const OptionSection& section, const OptionRef& option,
+                      SettingFlags& flags) {
+  const std::string in(section.name);
+  const std::string name(option.name);
+  const std::string flag = fmt::format("--{}-{}", in, name);
+  const auto take = [&flags, in, name, flag](const std::string& text) {
+    // Checked here, so that a bad value is a usage error before any work.
+    Settings scratch;
+    const std::vector<OptionSection> all = bind_settings(scratch);
+    const Result<void> set = set_option(find_option(all, in, name), text);
+    if (!set) throw CLI::ValidationError(flag, set.error().message);
+    flags.given.push_back({in, name, text});
+  };
+  app.add_option_function<std::string>(
+         flag, take,
+         fmt::format("{} [{}; {}]", option.help, option_text(option), allowed_values(option)))
+      ->group(fmt::format("{}: {}", section.name, section.title))
+      ->type_name("");
+}
+
 }  // namespace
 
 void add_device_flag(CLI::App& app, std::optional<DeviceChoice>& device) {
@@ -49,28 +69,15 @@ void add_run_flags(CLI::App& app, RunFlags& flags) {
 
 void add_setting_flags(CLI::App& app, const std::vector<std::string_view>& sections,
                        SettingFlags& flags) {
-  Settings defaults;
-  for (const OptionSection& section : bind_settings(defaults)) {
-    if (std::find(sections.begin(), sections.end(), section.name) == sections.end()) continue;
-    for (const OptionRef& option : section.options) {
-      const std::string in(section.name);
-      const std::string name(option.name);
-      const std::string flag = fmt::format("--{}-{}", in, name);
-      const auto take = [&flags, in, name, flag](const std::string& text) {
-        // Checked here, so that a bad value is a usage error before any work.
-        Settings scratch;
-        const std::vector<OptionSection> all = bind_settings(scratch);
-        const Result<void> set = set_option(find_option(all, in, name), text);
-        if (!set) throw CLI::ValidationError(flag, set.error().message);
-        flags.given.push_back({in, name, text});
-      };
-      app.add_option_function<std::string>(
-             flag, take,
-             fmt::format("{} [{}; {}]", option.help, option_text(option), allowed_values(option)))
-          ->group(fmt::format("{}: {}", section.name, section.title))
-          ->type_name("");
+  app.preparse_callback([&app, sections, &flags](std::size_t) {
+    Settings defaults;
+    for (const OptionSection& section : bind_settings(defaults)) {
+      if (std::find(sections.begin(), sections.end(), section.name) == sections.end()) continue;
+      for (const OptionRef& option : section.options) {
+        add_setting_flag(app, section, option, flags);
+      }
     }
-  }
+  });
 }
 
 Result<Project> project_for(const std::filesystem::path& input, const RunFlags& run,

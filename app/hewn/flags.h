@@ -36,7 +36,8 @@ void add_device_flag(CLI::App& app, std::optional<DeviceChoice>& device);
 /// Adds --seed, --threads, --device, --time-limit and --quiet.
 void add_run_flags(CLI::App& app, RunFlags& flags);
 
-/// Adds `--SECTION-OPTION` for every option of the named sections.
+/// Adds `--SECTION-OPTION` for every option of the named sections, once `app` is the command that
+/// is parsed: adding hundreds of flags to commands that are not takes a good part of a short run.
 void add_setting_flags(CLI::App& app, const std::vector<std::string_view>& sections,
                        SettingFlags& flags);
 
