@@ -1,7 +1,10 @@
 #include "core/sample/frame.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace hewn {
 namespace {
@@ -28,6 +31,66 @@ int largest_orthogonal(const std::vector<Vec3>& directions, const std::vector<do
     if (fits && (best < 0 || area[i] > area[best])) best = i;
   }
   return best;
+}
+
+/// The axes of cylinders and cones along `along`, each once, as points on the plane across it.
+std::vector<Vec3> axes_along(const SurfaceSet& surfaces, const Vec3& along, double same) {
+  std::vector<Vec3> axes;
+  for (const Halfspace& h : surfaces.halfspaces) {
+    const Surface& s = h.surface;
+    const bool has_axis = s.kind == SurfaceKind::Cylinder || s.kind == SurfaceKind::Cone;
+    if (!has_axis || h.is_separating || s.axis.cross(along).norm() > kOrthogonal) continue;
+    const Vec3 at = s.point - s.point.dot(along) * along;
+    const auto is_here = [&](const Vec3& a) { return (a - at).norm() < same; };
+    if (std::none_of(axes.begin(), axes.end(), is_here)) axes.push_back(at);
+  }
+  return axes;
+}
+
+int coordinate_of(const Vec3& v) {
+  int k = 0;
+  v.cwiseAbs().maxCoeff(&k);
+  return std::abs(std::abs(v[k]) - 1) < kOrthogonal ? k : -1;
+}
+
+/// The direction in which most pairs of parallel axes lie, a coordinate axis before all others.
+/// Nothing with fewer than two axes, or with many of them.
+std::optional<Vec3> direction_between_axes(const SurfaceSet& surfaces, const Vec3& along,
+                                           double size) {
+  constexpr std::size_t kMostAxes = 64;
+  constexpr double kSameAxis = 1e-4;       // of the size
+  constexpr double kSameDirection = 1e-4;  // radians
+  const std::vector<Vec3> axes = axes_along(surfaces, along, kSameAxis * size);
+  if (axes.size() < 2 || axes.size() > kMostAxes) return std::nullopt;
+  std::vector<std::pair<Vec3, int>> found;  // with the number of pairs
+  for (std::size_t b = 1; b < axes.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a) {
+      const Vec3 d = (axes[b] - axes[a]).normalized();
+      if (const int k = coordinate_of(d); k >= 0) return Vec3(Vec3::Unit(k));
+      const auto it = std::find_if(found.begin(), found.end(), [&](const auto& f) {
+        return f.first.cross(d).norm() < kSameDirection;
+      });
+      if (it == found.end()) {
+        found.emplace_back(d, 1);
+      } else {
+        ++it->second;
+      }
+    }
+  }
+  const auto most = std::max_element(
+      found.begin(), found.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most->first;
+}
+
+/// Whether nothing but one plane has the direction, as the flank of a lever.
+bool is_lone_plane(const SurfaceSet& surfaces, int direction) {
+  int planes = 0;
+  for (const Halfspace& h : surfaces.halfspaces) {
+    if (h.direction != direction) continue;
+    if (h.surface.kind != SurfaceKind::Plane) return false;
+    ++planes;
+  }
+  return planes == 1;
 }
 
 bool is_coordinate_axis(const Vec3& v) { return std::abs(v.cwiseAbs().maxCoeff() - 1) < 1e-12; }
@@ -61,7 +124,15 @@ Frame find_frame(const Mesh& mesh, const std::vector<int>& triangles, const Surf
   if (!chosen.empty()) {
     const Vec3& first = surfaces.directions[chosen[0]];
     Vec3 second;
-    if (chosen.size() > 1) {
+    // A lone plane tells less than how holes and bosses lie.
+    const bool is_weak =
+        chosen.size() == 1 || (chosen.size() == 2 && is_lone_plane(surfaces, chosen[1]));
+    const auto between =
+        is_weak ? direction_between_axes(surfaces, first, mesh.diagonal()) : std::nullopt;
+    if (between) {
+      second = (*between - between->dot(first) * first).normalized();
+      chosen.resize(1);
+    } else if (chosen.size() > 1) {
       second = surfaces.directions[chosen[1]];
     } else {
       second = is_coordinate_axis(first)

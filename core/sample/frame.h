@@ -20,7 +20,9 @@ struct Frame {
   double diagonal() const { return box.diagonal(); }
 };
 
-/// The frame of the three mutually orthogonal directions with the most area.
+/// The frame of the three mutually orthogonal directions with the most area. A direction of nothing
+/// but one plane gives way to a line between parallel axes, so that what is turned about them keeps
+/// its typed places.
 /// `triangles` restricts the box; empty means the whole mesh.
 Frame find_frame(const Mesh& mesh, const std::vector<int>& triangles, const SurfaceSet& surfaces);
 
