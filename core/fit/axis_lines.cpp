@@ -5,6 +5,7 @@
 
 #include "core/fit/directions.h"
 #include "core/fit/round_values.h"
+#include "core/fit/short_arcs.h"
 #include "core/fit/snap_rule.h"
 
 namespace hewn {
@@ -31,10 +32,12 @@ class PositionSettler {
       : items_(items),
         directions_(directions),
         snap_(options, diagonal, noise),
+        exact_(exact_reach(diagonal, noise)),
         options_(options) {}
 
   void run() {
     for (FitItem& item : items_) align(item);
+    settle_short_arcs(items_, directions_, snap_, exact_);
     find_lines();
     for (AxisLine& line : lines_) settle(line);
     for (FitItem& item : items_) settle_along(item);
@@ -139,6 +142,7 @@ class PositionSettler {
   std::vector<FitItem>& items_;
   const std::vector<Vec3>& directions_;
   SnapRule snap_;
+  double exact_;
   const RegulariseOptions& options_;
   std::vector<AxisLine> lines_;
 };

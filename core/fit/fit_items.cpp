@@ -77,9 +77,13 @@ void select_points(FitItem& item, double exact) {
 
 }  // namespace
 
+double exact_reach(double diagonal, double noise) {
+  return std::max(kRounding * diagonal, 5 * noise);
+}
+
 std::vector<FitItem> collect_items(const Mesh& mesh, const Segmentation& segmentation,
                                    bool keep_free_form) {
-  const double exact = std::max(kRounding * mesh.diagonal(), 5 * segmentation.noise);
+  const double exact = exact_reach(mesh.diagonal(), segmentation.noise);
   std::vector<int> stamp(mesh.vertices.size(), -1);
   std::vector<FitItem> items;
   for (int g = 0; g < static_cast<int>(segmentation.groups.size()); ++g) {

@@ -22,6 +22,9 @@ struct FitItem {
   FitDeviation deviation;
 };
 
+/// How far a vertex on a surface may be off it by rounding and noise; model units.
+double exact_reach(double diagonal, double noise);
+
 /// One item for each group that is not negligible, largest area first; groups that are not fitted
 /// only with `keep_free_form`.
 std::vector<FitItem> collect_items(const Mesh& mesh, const Segmentation& segmentation,

@@ -1,0 +1,98 @@
+#include "core/fit/short_arcs.h"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "core/fit/surface_set.h"
+
+namespace hewn {
+namespace {
+
+constexpr double kDiagonal = 40;
+constexpr double kExact = 1e-5;
+
+Vec3 at(const Vec3& center, double radius, double degrees, double z) {
+  const double a = degrees * kPi / 180;
+  return center + Vec3(radius * std::cos(a), radius * std::sin(a), z);
+}
+
+/// A cylinder along z, fitted to what the vertices of an arc tell.
+FitItem arc_item(const Vec3& center, double radius, const std::vector<double>& on_circle,
+                 const std::vector<double>& on_chords) {
+  FitItem item;
+  for (const double z : {0.0, 6.0}) {
+    for (const double a : on_circle) item.points.push_back(at(center, radius, a, z));
+    for (const double a : on_chords) item.points.push_back(at(center, radius - 0.015, a, z));
+  }
+  item.surface.kind = SurfaceKind::Cylinder;
+  item.surface.point = center;
+  item.surface.radius = radius;
+  FitSettings settings;
+  settings.keep_axis = true;
+  settings.max_iterations = 50;
+  settings.min_decrease = 1e-12;
+  refine_surface(item.surface, {item.points}, settings);
+  item.sigma = rms_distance(item.surface, item.points);
+  item.deviation = fit_deviation(item.surface, item.points, item.sigma, true);
+  item.direction = 0;
+  return item;
+}
+
+/// What lies between the teeth of a gear, `step` degrees apart.
+std::vector<FitItem> gear_ground(double step) {
+  std::vector<FitItem> items;
+  for (double a = 0; a < 360; a += step) {
+    items.push_back(
+        arc_item(Vec3::Zero(), 16, {a + 11.25, a + 16.875, a + 22.5}, {a + 7.2, a + 22.8}));
+  }
+  return items;
+}
+
+void settle(std::vector<FitItem>& items) {
+  settle_short_arcs(items, {Vec3::UnitZ()}, SnapRule({}, kDiagonal, kExact / 5), kExact);
+}
+
+bool is_on_axis(const FitItem& item, double radius) {
+  const Vec3& p = item.surface.point;
+  return std::hypot(p.x(), p.y()) < kExact && std::abs(item.surface.radius - radius) < kExact;
+}
+
+TEST_CASE("the ground between teeth takes the bore's axis and its own circle") {
+  std::vector<FitItem> items = gear_ground(90);
+  CHECK_FALSE(is_on_axis(items[0], 16));  // chords drag each arc's own fit
+  items.push_back(arc_item(Vec3::Zero(), 5, {0, 45, 90, 135, 180, 225, 270, 315}, {}));
+  settle(items);
+  for (std::size_t i = 0; i < 4; ++i) CHECK(is_on_axis(items[i], 16));
+  CHECK(is_on_axis(items[4], 5));
+}
+
+TEST_CASE("without a bore, the arcs together tell their axis") {
+  std::vector<FitItem> items = gear_ground(30);
+  settle(items);
+  for (const FitItem& item : items) CHECK(is_on_axis(item, 16));
+}
+
+TEST_CASE("an arc with two vertices on a circle joins those that three place, and only those") {
+  std::vector<FitItem> items = gear_ground(90);
+  items.push_back(arc_item(Vec3::Zero(), 5, {0, 45, 90, 135, 180, 225, 270, 315}, {}));
+  items.push_back(arc_item(Vec3::Zero(), 16, {50, 55}, {47, 58, 60}));
+  items.push_back(arc_item(Vec3::Zero(), 14, {50, 55}, {47, 58, 60}));
+  settle(items);
+  CHECK(is_on_axis(items[5], 16));
+  CHECK_FALSE(is_on_axis(items[6], 14));
+}
+
+TEST_CASE("a rounding keeps its own axis") {
+  std::vector<FitItem> items;
+  items.push_back(arc_item(Vec3::Zero(), 5, {0, 45, 90, 135, 180, 225, 270, 315}, {}));
+  items.push_back(arc_item(Vec3(10, 10, 0), 4, {0, 15, 30, 45, 60, 75, 90}, {}));
+  items.push_back(arc_item(Vec3(-10, 10, 0), 4, {91, 110, 133}, {88, 136}));
+  const Vec3 loose = items[2].surface.point;
+  settle(items);
+  CHECK((items[1].surface.point - Vec3(10, 10, 0)).head<2>().norm() < kExact);
+  CHECK(items[2].surface.point == loose);
+}
+
+}  // namespace
+}  // namespace hewn
