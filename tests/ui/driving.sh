@@ -122,7 +122,10 @@ is_gone_or_asks() { is_gone || is is_asking true; }
 # Asked to close an unsaved plan, the window asks back; asked again, it closes.
 close_window() {
   key ctrl+q
-  soon is_gone_or_asks
+  for _ in $(seq 100); do  # an exact picture without a graphics card takes seconds
+    if is_gone_or_asks; then break; fi
+    sleep 0.1
+  done
   is_gone || key ctrl+q
   for _ in $(seq 300); do
     is_gone && break
