@@ -26,17 +26,6 @@ open_part() {
   open_window "$1" --no-live
   until_true "the groups" is ready true
 }
-# take NAME: what is seen now, with the mouse where it is.
-take() {
-  local count
-  until_true "rest before the picture $1" is_idle
-  sleep 0.5
-  count=$(pictures)
-  key F12
-  until_true "the picture $1" has_pictures $((count + 1))
-  sleep 0.3
-  mv "$(find "$folder" -maxdepth 1 -name 'hewn-*.png' | head -1)" "$into/studio-$1.png"
-}
 # pick_in_graph TEXT: clicks down the graph until a literal is picked that begins with TEXT.
 pick_in_graph() {
   local page y
@@ -57,15 +46,15 @@ click $(xdotool getmouselocation --shell | sed -n 's/^[XY]=//p' | tr '\n' ' ')
 until_true "a boss" is selected 1
 key shift+s
 until_true "the others" is selected 4
-xdotool mousemove 640 787
-take select
+leave_view
+take "$into/studio-select.png"
 key Escape
 until_true "no selection" is selected 0
 key k
 drag 568 330 566 590
 until_true "a plane" is has_plane true
-xdotool mousemove 640 787
-take knife
+leave_view
+take "$into/studio-knife.png"
 key Escape
 close_window
 
@@ -79,7 +68,7 @@ drag 1000 500 1000 380 2
 xdotool mousemove 1200 396
 key e  # every ray; last, because such a frame may take a second
 until_true "every ray" is is_exact true
-take result
+take "$into/studio-result.png"
 close_window
 
 open_part housing.stl
@@ -92,7 +81,7 @@ click 1108 251
 key ctrl+t
 key ctrl+2
 key i
-xdotool mousemove 640 787
-take pareto
+leave_view
+take "$into/studio-pareto.png"
 close_window
 echo "wrote the pictures in $into"

@@ -40,14 +40,18 @@ until_true() {
   done
   fail "waited in vain: $what"
 }
-# soon COMMAND...: whether it comes true within some slow frames, as sanitizers make them.
-soon() {
-  for _ in $(seq 15); do
+# within TENTHS COMMAND...: whether it comes true in that many tenths of a second.
+within() {
+  local tenths=$1
+  shift
+  for _ in $(seq "$tenths"); do
     if "$@" 2>/dev/null; then return 0; fi
     sleep 0.1
   done
   return 1
 }
+# soon COMMAND...: whether it comes true within some slow frames, as sanitizers make them.
+soon() { within 15 "$@"; }
 # A key that is down for less than a frame is not seen: sanitizers make frames long.
 key() { xdotool key --delay "${HEWN_KEY_DELAY:-60}" "$@"; }
 # write_over NAME TEXT: over what is in the field that the state calls NAME. Once more when a slow
@@ -96,17 +100,22 @@ scan() {
 }
 pictures() { find "$folder" -maxdepth 1 -name 'hewn-*.png' | wc -l; }
 has_pictures() { [ "$(pictures)" -ge "$1" ]; }
-# picture NAME: waits until nothing runs and the view is drawn in full, and keeps what is seen.
-picture() {
+# take FILE: waits until nothing runs and the view is drawn in full, and keeps what is seen.
+take() {
   local count
-  xdotool mousemove 640 787  # where nothing is hovered
   until_true "rest before the picture $1" is_idle
   sleep 0.3
   count=$(pictures)
   key F12
   until_true "the picture $1" has_pictures $((count + 1))
   sleep 0.2
-  mv "$(find "$folder" -maxdepth 1 -name 'hewn-*.png' | head -1)" "$folder/$1.png"
+  mv "$(find "$folder" -maxdepth 1 -name 'hewn-*.png' | head -1)" "$1"
+}
+leave_view() { xdotool mousemove 640 787; }  # where nothing is hovered
+# picture NAME: the same with the mouse out of the way, into the script's folder.
+picture() {
+  leave_view
+  take "$folder/$1.png"
 }
 # open_window ARGUMENTS...
 open_window() {
@@ -122,14 +131,8 @@ is_gone_or_asks() { is_gone || is is_asking true; }
 # Asked to close an unsaved plan, the window asks back; asked again, it closes.
 close_window() {
   key ctrl+q
-  for _ in $(seq 100); do  # an exact picture without a graphics card takes seconds
-    if is_gone_or_asks; then break; fi
-    sleep 0.1
-  done
+  within 100 is_gone_or_asks || true  # an exact picture without a graphics card takes seconds
   is_gone || key ctrl+q
-  for _ in $(seq 300); do
-    is_gone && break
-    sleep 0.1
-  done
+  within 300 is_gone || true
   wait "$pid" || fail "the window ended with $?"
 }

@@ -250,14 +250,20 @@ TEST_CASE("a picked result puts its plan in place, and undo takes it back") {
   CHECK(session.current_result() == session.results().front());
 }
 
-TEST_CASE("a partition's colour is part of the plan, but no tree depends on it") {
-  OpenSession open;
-  Session& session = open.session;
+/// A plate with its hole as a subtracted partition, searched.
+std::shared_ptr<const FoundResult> search_with_hole(Session& session) {
   REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
   REQUIRE(session.execute(Reconstruct{}));
   session.wait();
-  const auto found = session.current_result();
+  auto found = session.current_result();
   REQUIRE(found);
+  return found;
+}
+
+TEST_CASE("a partition's colour is part of the plan, but no tree depends on it") {
+  OpenSession open;
+  Session& session = open.session;
+  const auto found = search_with_hole(session);
   session.set_live(true);
   REQUIRE(session.execute(ColourPartition{{0}, 0xff8000}));
   CHECK_FALSE(session.is_busy());
@@ -274,11 +280,7 @@ TEST_CASE("a partition's colour is part of the plan, but no tree depends on it")
 TEST_CASE("an edited radius is measured anew, undone, saved and replayed") {
   OpenSession open;
   Session& session = open.session;
-  REQUIRE(session.execute(AddPartition{{}, "holes", Op::Difference, hole()}));
-  REQUIRE(session.execute(Reconstruct{}));
-  session.wait();
-  const auto found = session.current_result();
-  REQUIRE(found);
+  const auto found = search_with_hole(session);
   int cylinder = -1;
   const auto& literals = found->found.tree.literals;
   for (std::size_t l = 0; l < literals.size(); ++l) {
