@@ -11,6 +11,8 @@ constexpr double kMaxNormalDeviation = 0.22;  // radians; of a patch from its fi
 constexpr double kMaxSagittaRatio = 0.024;    // of the radius: steps of 25 degrees for most facets
 constexpr double kMaxSagittaOutlier = 0.062;  // and of 40 degrees for each
 constexpr double kTightRms = 0.15;            // of the sagitta: corners lie on the surface
+constexpr double kTightUncut = 0.05;  // of the sagitta: what tells an exact surface may miss
+constexpr double kDepthSlack = 1.6;   // times the sagitta: middles of further facets
 /// A candidate as loose as this counts half its area: an exact smaller one goes first.
 constexpr double kHalfLooseness = 0.4;
 /// Areas of facets of one ring differ by less than this factor, but where they are trimmed.
@@ -30,6 +32,10 @@ constexpr int kResampledPatchSizes[] = {12, 40, 120, 360};
 int min_facets(SurfaceKind kind) {
   if (kind == SurfaceKind::Sphere) return 6;
   return kind == SurfaceKind::Torus ? 8 : 4;
+}
+
+bool is_ruled(SurfaceKind kind) {
+  return kind == SurfaceKind::Cylinder || kind == SurfaceKind::Cone;
 }
 
 /// Simple kinds win when both explain the same facets.
@@ -159,19 +165,21 @@ std::vector<int> CandidateFinder::neighborhood(int seed, int size) {
 std::optional<Candidate> CandidateFinder::develop(Surface s, const std::vector<int>& patch) {
   std::vector<int> core = patch;
   if (!fit_core(s, core)) return std::nullopt;
+  const bool is_uncut = refine_uncut(s, core);
   const FitQuality q = fitter_.evaluate(s, core);
   if (q.max_angle_rad > kMaxNormalDeviation) return std::nullopt;
   const double eps = tolerance_.eps;
   const bool is_tight = q.rms_distance < kTightRms * q.sagitta;
   Limits limits;
   limits.distance = std::max(
-      2 * eps, is_tight ? std::min(4e-3 * tolerance_.diagonal, 1.15 * q.sagitta)
+      2 * eps, is_tight ? std::min(4e-3 * tolerance_.diagonal, kChordSlack * q.sagitta)
                         : std::min(options_.max_deviation * tolerance_.diagonal, q.sagitta));
-  if (q.rms_distance > 0.6 * limits.distance) return std::nullopt;
+  if (!is_uncut && q.rms_distance > 0.6 * limits.distance) return std::nullopt;
   if (!has_fine_facets(s, core)) return std::nullopt;
-  limits.sagitta = 1.6 * q.sagitta + 2 * eps;
+  limits.sagitta = kDepthSlack * q.sagitta + 2 * eps;
   limits.angle_rad = std::max(0.06, 1.6 * q.max_angle_rad);
   limits.least_cosine = std::cos(limits.angle_rad);
+  if (is_uncut) allow_chords(s, core, limits);
   std::vector<int> facets = grow(s, core, limits);
   if (static_cast<int>(facets.size()) < min_facets(s.kind)) return std::nullopt;
   refine_while_growing(s, core, limits, facets);
@@ -215,11 +223,41 @@ bool CandidateFinder::fit_core(Surface& s, std::vector<int>& core) {
   return fitter_.refine(s, core, settings);
 }
 
-void CandidateFinder::refine_while_growing(Surface& s, const std::vector<int>& core,
-                                           const Limits& limits, std::vector<int>& facets) {
+/// Whether what cutting the facets did not move agrees with the surface.
+bool CandidateFinder::refine_uncut(Surface& s, const std::vector<int>& facets) {
+  const double error = fitter_.refine_uncut(s, facets, fitter_.evaluate(s, facets));
+  return error < kTightUncut * fitter_.evaluate(s, facets).sagitta;
+}
+
+/// Corners that cutting made lie on chords: as deep as the facets' middles, or deeper towards the
+/// wide end of a cone.
+void CandidateFinder::allow_chords(const Surface& s, const std::vector<int>& facets,
+                                   Limits& limits) const {
+  const double sagitta = fitter_.evaluate(s, facets).sagitta;
+  const double deepest = sagitta * (s.kind == SurfaceKind::Cone ? widening(s, facets) : 1);
+  limits.distance = std::max(limits.distance, kChordSlack * deepest);
+  limits.sagitta = std::max(limits.sagitta, kDepthSlack * sagitta + 2 * tolerance_.eps);
+}
+
+/// How much wider than at its middle a cone is at a facet's far end, for the facet that is longest.
+double CandidateFinder::widening(const Surface& cone, const std::vector<int>& facets) const {
+  const auto height = [&](const Vec3& p) { return cone.axis.dot(p - cone.point); };
+  double widest = 1;
+  for (const int f : facets) {
+    const double middle = height(graph_.facets[f].centroid);
+    for (const int v : graph_.corners(f)) {
+      widest = std::max(widest, height(mesh_.vertices[v]) / middle);
+    }
+  }
+  return widest;
+}
+
+void CandidateFinder::refine_while_growing(Surface& s, const std::vector<int>& core, Limits limits,
+                                           std::vector<int>& facets) {
   for (int round = 0; round < 3; ++round) {
     Surface next = s;
     if (!fitter_.refine(next, facets, {6, round > 0, 0})) return;
+    if (refine_uncut(next, facets)) allow_chords(next, facets, limits);
     std::vector<int> grown = grow(next, core, limits);
     if (static_cast<double>(grown.size()) < 0.98 * static_cast<double>(facets.size())) return;
     const bool has_grown = grown.size() > facets.size();
@@ -279,10 +317,7 @@ std::optional<Candidate> CandidateFinder::judge(Surface s, std::vector<int> face
   const FitQuality q = fitter_.evaluate(s, facets);
   if (s.radius > kMaxRadius * tolerance_.diagonal) return std::nullopt;
   if (distinct_normals(facets) < min_facets(s.kind)) return std::nullopt;
-  double rms = q.rms_distance;
-  if (s.kind == SurfaceKind::Cylinder) {
-    rms = std::min(rms, fitter_.refine_on_planes(s, facets, q));
-  }
+  const double rms = std::min(q.rms_distance, fitter_.refine_uncut(s, facets, q));
   const double looseness = rms / (0.1 * q.sagitta + tolerance_.eps);
   // A resampled mesh's corners fill the depth of the facets that they lie on.
   const double slack = tolerance_.is_resampled ? kResampledSlack : 1;
@@ -375,8 +410,7 @@ bool CandidateFinder::normals_agree(const Surface& s, const std::vector<int>& fa
                    steps.end());
   const double step = steps[steps.size() / 2];
   const double deviation = std::sqrt(squares / count);
-  const bool is_ruled = s.kind == SurfaceKind::Cylinder || s.kind == SurfaceKind::Cone;
-  const double share = is_exact || tolerance_.is_resampled ? 1.3 : is_ruled ? 0.3 : 0.7;
+  const double share = is_exact || tolerance_.is_resampled ? 1.3 : is_ruled(s.kind) ? 0.3 : 0.7;
   return deviation <= share * step + 0.002 + std::sqrt(noise / count);
 }
 

@@ -67,7 +67,10 @@ class CandidateFinder {
   std::optional<Candidate> develop(Surface s, const std::vector<int>& patch);
   bool has_fine_facets(const Surface& s, const std::vector<int>& facets) const;
   bool fit_core(Surface& s, std::vector<int>& core);
-  void refine_while_growing(Surface& s, const std::vector<int>& core, const Limits& limits,
+  bool refine_uncut(Surface& s, const std::vector<int>& facets);
+  void allow_chords(const Surface& s, const std::vector<int>& facets, Limits& limits) const;
+  double widening(const Surface& cone, const std::vector<int>& facets) const;
+  void refine_while_growing(Surface& s, const std::vector<int>& core, Limits limits,
                             std::vector<int>& facets);
   std::vector<int> grow(const Surface& s, const std::vector<int>& seeds, const Limits& limits);
   void take(int facet, std::vector<int>& queue);

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include <Eigen/Eigenvalues>
-
 #include "core/fit/gauss_newton.h"
 #include "core/fit/initial_guess.h"
+#include "core/segment/tangent_planes.h"
 
 namespace hewn {
 namespace {
@@ -16,7 +15,9 @@ constexpr double kTinyArea = 1e-9;  // shares of the squared diagonal
 constexpr double kSolidArea = 1e-7;
 constexpr double kTinyNormalError = 0.15;  // radians
 constexpr double kSolidNormalError = 0.02;
-constexpr double kMinStep = 0.005;  // radians; facets of one cylinder turn by more
+constexpr std::size_t kPointsPerParameter = 2;
+constexpr double kUncutNoise = 1.5;  // times eps
+constexpr double kMinStep = 0.005;   // radians; neighbours on one cylinder turn by more
 
 /// Keeps at most `limit` evenly spaced items.
 template <class T>
@@ -39,7 +40,8 @@ FacetFitter::FacetFitter(const Mesh& mesh, const FacetGraph& graph,
       graph_(graph),
       tolerance_(tolerance),
       stamp_of_vertex_(mesh.vertices.size(), 0),
-      stamp_of_facet_(graph.facets.size(), 0) {}
+      stamp_of_facet_(graph.facets.size(), 0),
+      uses_(mesh.vertices.size(), 0) {}
 
 std::vector<int> FacetFitter::corner_indices(std::span<const int> facets) {
   ++stamp_;
@@ -144,58 +146,110 @@ bool FacetFitter::is_solid(int facet) const {
          graph_.normal_error_rad[facet] < kSolidNormalError;
 }
 
-double FacetFitter::refine_on_planes(Surface& cylinder, std::span<const int> facets,
+double FacetFitter::refine_uncut(Surface& surface, std::span<const int> facets,
+                                 const FitQuality& quality) {
+  switch (surface.kind) {
+    case SurfaceKind::Cylinder:
+    case SurfaceKind::Cone:
+      return refine_on_planes(surface, facets, quality);
+    case SurfaceKind::Sphere:
+    case SurfaceKind::Torus:
+      return refine_on_inner_corners(surface, facets, quality);
+    case SurfaceKind::Plane:
+      break;
+  }
+  return kInfinity;
+}
+
+double FacetFitter::refine_on_planes(Surface& surface, std::span<const int> facets,
                                      const FitQuality& quality) {
   std::vector<int> solid;
-  Mat3 moment = Mat3::Zero();
+  std::vector<TangentPlane> planes;
   for (const int f : facets) {
     if (!is_solid(f)) continue;
+    const Facet& facet = graph_.facets[f];
+    const double sign = surface.gradient(facet.centroid).dot(facet.normal) < 0 ? -1 : 1;
     solid.push_back(f);
-    moment += graph_.facets[f].normal * graph_.facets[f].normal.transpose();
+    planes.push_back({sign * facet.normal, facet.centroid, facet.area, reach(f)});
   }
   if (solid.size() < 4) return kInfinity;
-  Vec3 axis = Eigen::SelfAdjointEigenSolver<Mat3>(moment).eigenvectors().col(0);
-  if (axis.dot(cylinder.axis) < 0) axis = -axis;
-  const Tangents t = tangents(axis);
-  // Each plane: n . (point + u x + w y) + inscribed radius = n . centroid.
-  Mat3 a = Mat3::Zero();
-  Vec3 b = Vec3::Zero();
-  std::vector<std::pair<Vec3, double>> rows;
-  for (const int f : solid) {
-    const Facet& facet = graph_.facets[f];
-    const double sign = cylinder.gradient(facet.centroid).dot(facet.normal) < 0 ? -1 : 1;
-    const Vec3 row(sign * facet.normal.dot(t.u), sign * facet.normal.dot(t.w), 1);
-    const double value = sign * facet.normal.dot(facet.centroid - cylinder.point);
-    a += row * row.transpose();
-    b += row * value;
-    rows.emplace_back(row, value);
-  }
-  const Vec3 x = a.ldlt().solve(b);
-  double error = 0;
-  for (const auto& [row, value] : rows) error += (row.dot(x) - value) * (row.dot(x) - value);
-  error = std::sqrt(error / static_cast<double>(rows.size()));
+  const std::optional<InscribedFit> fit = inscribed_fit(surface, planes);
+  if (!fit) return kInfinity;
+  const double error = fit->rms_distance;
   if (quality.rms_distance < 2 * error || quality.rms_distance < 0.5 * tolerance_.eps) return error;
   if (error > 0.1 * quality.sagitta) return error;
+  const std::optional<double> turn = regular_turn(solid);
+  if (!turn) return kInfinity;
+  surface = circumscribed(fit->surface, step_about_axis(fit->surface, *turn));
+  return error;
+}
 
+double FacetFitter::reach(int facet) const {
+  double furthest = 0;
+  for (const int v : graph_.corners(facet)) {
+    furthest =
+        std::max(furthest, (mesh_.vertices[v] - graph_.facets[facet].centroid).squaredNorm());
+  }
+  return std::sqrt(furthest);
+}
+
+std::vector<Vec3> FacetFitter::inner_corners(std::span<const int> facets) {
+  const std::vector<int> corners = corner_indices(facets);
+  for (const int v : corners) uses_[v] = 0;
+  for (const int f : facets) {
+    for (const int v : graph_.corners(f)) ++uses_[v];
+  }
+  std::vector<Vec3> inner;
+  for (const int v : corners) {
+    if (uses_[v] == graph_.corner_uses(v)) inner.push_back(mesh_.vertices[v]);
+  }
+  thin_out(inner, kMaxPoints);
+  return inner;
+}
+
+/// Whether the points leave the surface less room than `limit`: those of a single ring do not.
+bool FacetFitter::is_determined(const Surface& s, std::span<const Vec3> points,
+                                double limit) const {
+  const FitDeviation off = fit_deviation(s, points, tolerance_.eps, false);
+  return std::max({off.position, off.radius, off.major_radius}) < limit;
+}
+
+double FacetFitter::refine_on_inner_corners(Surface& surface, std::span<const int> facets,
+                                            const FitQuality& quality) {
+  if (quality.rms_distance < 0.5 * tolerance_.eps) return quality.rms_distance;
+  const std::vector<Vec3> inner = inner_corners(facets);
+  const auto parameters = static_cast<std::size_t>(parameter_count(surface.kind));
+  if (inner.size() < kPointsPerParameter * parameters) return kInfinity;
+  Surface s = surface;
+  if (!refine_surface(s, {inner}, {})) return kInfinity;
+  if (!is_determined(s, inner, quality.sagitta)) return kInfinity;
+  const double error = rms_distance(s, inner);
+  // The other corners lie on chords, and those within the surface.
+  const FitQuality moved = evaluate(s, facets);
+  if (error > kUncutNoise * tolerance_.eps || moved.max_distance > kChordSlack * moved.sagitta) {
+    return kInfinity;
+  }
+  surface = s;
+  return error;
+}
+
+std::optional<double> FacetFitter::regular_turn(std::span<const int> facets) {
   ++stamp_;
-  for (const int f : solid) stamp_of_facet_[f] = stamp_;
-  std::vector<double> steps;
-  for (const int f : solid) {
+  for (const int f : facets) stamp_of_facet_[f] = stamp_;
+  std::vector<double> turns;
+  for (const int f : facets) {
     for (const FacetNeighbor& n : graph_.neighbors(f)) {
       if (stamp_of_facet_[n.facet] == stamp_ && n.angle_rad > kMinStep) {
-        steps.push_back(n.angle_rad);
+        turns.push_back(n.angle_rad);
       }
     }
   }
-  if (steps.size() < 3) return kInfinity;
-  std::sort(steps.begin(), steps.end());
-  const double step = steps[steps.size() / 2];
-  const double spread = steps[steps.size() * 3 / 4] - steps[steps.size() / 4];
-  if (spread > 0.05 * step) return kInfinity;
-  cylinder.point += t.u * x[0] + t.w * x[1];
-  cylinder.axis = axis;
-  cylinder.radius = x[2] / std::cos(step / 2);
-  return error;
+  if (turns.size() < 3) return std::nullopt;
+  std::sort(turns.begin(), turns.end());
+  const double turn = turns[turns.size() / 2];
+  const double spread = turns[turns.size() * 3 / 4] - turns[turns.size() / 4];
+  if (spread > 0.05 * turn) return std::nullopt;
+  return turn;
 }
 
 }  // namespace hewn

@@ -1,5 +1,6 @@
 #pragma once
 /// Fitting surfaces to sets of facets: gathers their corners and normals, and measures the outcome.
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct SurfaceTolerance {
   /// Vertices lie anywhere on the flat facets of an earlier tessellation, not only on the surface.
   bool is_resampled = false;
 };
+
+/// Times the depth of facets: how deep corners on their chords lie.
+inline constexpr double kChordSlack = 1.15;
 
 /// How a surface meets facets.
 struct FitQuality {
@@ -44,12 +48,11 @@ class FacetFitter {
   std::vector<Surface> guess(std::span<const int> facets);
   /// Gauss-Newton on the corners. False when the fit degenerates.
   bool refine(Surface& surface, std::span<const int> facets, const FacetFitSettings& settings);
-  /// Fits a cylinder to the facets' planes instead of their corners: all planes of a regular
-  /// tessellation touch the inscribed circle, however the facets are trimmed. Returns the root mean
-  /// square of the planes' deviation (infinite: too few planes); moves `cylinder` only when its
-  /// corners are off and the planes agree.
-  double refine_on_planes(Surface& cylinder, std::span<const int> facets,
-                          const FitQuality& quality);
+  /// Fits to what cutting the facets did not move: a cylinder or cone to their planes (see
+  /// tangent_planes.h), a sphere or torus to the corners that none but these facets share. Returns
+  /// the root mean square of what then deviates (infinite: too little is known); moves `surface`
+  /// only when all corners are off and the others agree.
+  double refine_uncut(Surface& surface, std::span<const int> facets, const FitQuality& quality);
   /// The facet's own plane: its normal is area-weighted, so more exact than any fit to corners.
   Surface plane_of(int facet) const;
   FitQuality evaluate(const Surface& surface, std::span<const int> facets) const;
@@ -72,10 +75,20 @@ class FacetFitter {
   bool is_solid(int facet) const;
 
  private:
+  double refine_on_planes(Surface& surface, std::span<const int> facets, const FitQuality& quality);
+  double refine_on_inner_corners(Surface& surface, std::span<const int> facets,
+                                 const FitQuality& quality);
+  bool is_determined(const Surface& s, std::span<const Vec3> points, double limit) const;
+  /// From the facet's middle to its furthest corner.
+  double reach(int facet) const;
+  std::vector<Vec3> inner_corners(std::span<const int> facets);
+  /// The angle between neighbours' normals, when it is the same for nearly all.
+  std::optional<double> regular_turn(std::span<const int> facets);
+
   const Mesh& mesh_;
   const FacetGraph& graph_;
   SurfaceTolerance tolerance_;
-  std::vector<int> stamp_of_vertex_, stamp_of_facet_;
+  std::vector<int> stamp_of_vertex_, stamp_of_facet_, uses_;
   int stamp_ = 0;
 };
 

@@ -268,6 +268,8 @@ void FacetGraph::collect_corners(const Mesh& mesh,
     }
     corner_begin_.push_back(static_cast<int>(corners_.size()));
   }
+  corner_uses_.assign(mesh.vertices.size(), 0);
+  for (const int v : corners_) ++corner_uses_[v];
 }
 
 void FacetGraph::collect_neighbors(const Mesh& mesh,

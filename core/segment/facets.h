@@ -39,6 +39,8 @@ struct FacetGraph {
   std::span<const int> corners(int facet) const { return slice(corners_, corner_begin_, facet); }
   /// All vertices of the facet, ascending.
   std::span<const int> vertices(int facet) const { return slice(vertices_, vertex_begin_, facet); }
+  /// Of how many facets the vertex is a corner.
+  int corner_uses(int vertex) const { return corner_uses_[vertex]; }
   std::span<const FacetNeighbor> neighbors(int facet) const {
     return slice(neighbors_, neighbor_begin_, facet);
   }
@@ -58,7 +60,7 @@ struct FacetGraph {
   void collect_corners(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors);
   void collect_neighbors(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors);
 
-  std::vector<int> vertices_, vertex_begin_, corners_, corner_begin_, neighbor_begin_;
+  std::vector<int> vertices_, vertex_begin_, corners_, corner_begin_, corner_uses_, neighbor_begin_;
   std::vector<FacetNeighbor> neighbors_;
 };
 

@@ -126,6 +126,25 @@ std::vector<Vec2> cut_up(const std::vector<Vec2>& outline) {
   return cut;
 }
 
+TEST_CASE("surfaces are found where they cut each other's facets") {
+  const auto loaded = load_mesh(HEWN_TEST_DATA "/bent_nozzle.off", {}, {});
+  REQUIRE(loaded);
+  const Segmentation s = segmented(loaded->mesh);
+  CHECK(groups_of_kind(s, SurfaceKind::Torus).empty());
+  const auto balls = groups_of_kind(s, SurfaceKind::Sphere);
+  REQUIRE(balls.size() == 2);
+  for (const FaceGroup& ball : balls) {
+    CHECK(ball.surface.point.norm() < 1e-3);
+    CHECK(ball.surface.radius == doctest::Approx(ball.side > 0 ? 11 : 8).epsilon(1e-4));
+  }
+  const auto cones = groups_of_kind(s, SurfaceKind::Cone);
+  REQUIRE(cones.size() == 2);
+  for (const FaceGroup& cone : cones) {
+    const double slope = cone.side > 0 ? 6.0 / 42 : 5.0 / 43;
+    CHECK(std::tan(cone.surface.half_angle_rad) == doctest::Approx(slope).epsilon(1e-4));
+  }
+}
+
 TEST_CASE("the walls of a cut-up slot do not belong to its round ends") {
   // The walls run on in the direction of what would be the next side: they touch the inscribed
   // circle like all sides.
@@ -473,16 +492,33 @@ TEST_CASE("a cylinder and a cone that join smoothly are no torus") {
   REQUIRE(groups_of_kind(s, SurfaceKind::Cone).size() == 1);
 }
 
-TEST_CASE("a torus of two equally wide rings stays one") {
-  // A quarter turn in two steps, too steep to be a cylinder and a cone.
-  const double step = kPi / 16;
-  std::vector<Vec2> profile = {{0, -10}, {20, -10}};
-  for (int k = -1; k <= 1; ++k) {
-    profile.emplace_back(15 + 5 * std::cos(k * step), 5 * std::sin(k * step));
+/// A disc whose rim is a band of a torus in `rings` steps, on a straight wall.
+Mesh disc_with_round_rim(double major, double minor, double step, int rings, int sides) {
+  const double first = -step * rings / 2;
+  std::vector<Vec2> profile = {{0, -10}, {major + minor * std::cos(first), -10}};
+  for (int k = 0; k <= rings; ++k) {
+    const double angle = first + k * step;
+    profile.emplace_back(major + minor * std::cos(angle), minor * std::sin(angle));
   }
-  profile.emplace_back(0, 5 * std::sin(step));
-  const Segmentation s = segmented(solids::revolve(profile, 60));
+  profile.emplace_back(0, profile.back().y());
+  return solids::revolve(profile, sides);
+}
+
+TEST_CASE("a torus of two equally wide rings stays one") {
+  const Segmentation s = segmented(disc_with_round_rim(30, 3, kPi / 12, 2, 100));
   CHECK(groups_of_kind(s, SurfaceKind::Torus).size() == 1);
+}
+
+TEST_CASE("a narrow band of a torus is no row of oblique cylinders") {
+  for (const double major : {15.0, 30.0}) {
+    CAPTURE(major);
+    const Segmentation s = segmented(disc_with_round_rim(major, major / 6, kPi / 14, 3, 80));
+    const auto tori = groups_of_kind(s, SurfaceKind::Torus);
+    REQUIRE(tori.size() == 1);
+    CHECK(tori[0].surface.radius == doctest::Approx(major / 6));
+    CHECK(tori[0].surface.major_radius == doctest::Approx(major));
+    CHECK(groups_of_kind(s, SurfaceKind::Cylinder).size() == 1);
+  }
 }
 
 /// A wheel of radius 10 around z with a bore, from whose rim every third of 36 facets is left;
