@@ -165,8 +165,8 @@ std::vector<int> CandidateFinder::neighborhood(int seed, int size) {
 std::optional<Candidate> CandidateFinder::develop(Surface s, const std::vector<int>& patch) {
   std::vector<int> core = patch;
   if (!fit_core(s, core)) return std::nullopt;
-  const bool is_uncut = refine_uncut(s, core);
-  const FitQuality q = fitter_.evaluate(s, core);
+  FitQuality q = fitter_.evaluate(s, core);
+  const bool is_uncut = refine_uncut(s, core, q);
   if (q.max_angle_rad > kMaxNormalDeviation) return std::nullopt;
   const double eps = tolerance_.eps;
   const bool is_tight = q.rms_distance < kTightRms * q.sagitta;
@@ -179,7 +179,7 @@ std::optional<Candidate> CandidateFinder::develop(Surface s, const std::vector<i
   limits.sagitta = kDepthSlack * q.sagitta + 2 * eps;
   limits.angle_rad = std::max(0.06, 1.6 * q.max_angle_rad);
   limits.least_cosine = std::cos(limits.angle_rad);
-  if (is_uncut) allow_chords(s, core, limits);
+  if (is_uncut) allow_chords(s, core, q.sagitta, limits);
   std::vector<int> facets = grow(s, core, limits);
   if (static_cast<int>(facets.size()) < min_facets(s.kind)) return std::nullopt;
   refine_while_growing(s, core, limits, facets);
@@ -223,17 +223,20 @@ bool CandidateFinder::fit_core(Surface& s, std::vector<int>& core) {
   return fitter_.refine(s, core, settings);
 }
 
-/// Whether what cutting the facets did not move agrees with the surface.
-bool CandidateFinder::refine_uncut(Surface& s, const std::vector<int>& facets) {
-  const double error = fitter_.refine_uncut(s, facets, fitter_.evaluate(s, facets));
-  return error < kTightUncut * fitter_.evaluate(s, facets).sagitta;
+/// Where the corners are off, fits to what cutting the facets did not move. Whether that agrees
+/// with the surface; `q` is its quality, before and after.
+bool CandidateFinder::refine_uncut(Surface& s, const std::vector<int>& facets, FitQuality& q) {
+  if (q.rms_distance < 0.5 * tolerance_.eps) return false;
+  const double error = fitter_.refine_uncut(s, facets, q);
+  if (!(error < kTightUncut * q.sagitta)) return false;
+  q = fitter_.evaluate(s, facets);
+  return true;
 }
 
 /// Corners that cutting made lie on chords: as deep as the facets' middles, or deeper towards the
 /// wide end of a cone.
-void CandidateFinder::allow_chords(const Surface& s, const std::vector<int>& facets,
+void CandidateFinder::allow_chords(const Surface& s, const std::vector<int>& facets, double sagitta,
                                    Limits& limits) const {
-  const double sagitta = fitter_.evaluate(s, facets).sagitta;
   const double deepest = sagitta * (s.kind == SurfaceKind::Cone ? widening(s, facets) : 1);
   limits.distance = std::max(limits.distance, kChordSlack * deepest);
   limits.sagitta = std::max(limits.sagitta, kDepthSlack * sagitta + 2 * tolerance_.eps);
@@ -257,7 +260,8 @@ void CandidateFinder::refine_while_growing(Surface& s, const std::vector<int>& c
   for (int round = 0; round < 3; ++round) {
     Surface next = s;
     if (!fitter_.refine(next, facets, {6, round > 0, 0})) return;
-    if (refine_uncut(next, facets)) allow_chords(next, facets, limits);
+    FitQuality q = fitter_.evaluate(next, facets);
+    if (refine_uncut(next, facets, q)) allow_chords(next, facets, q.sagitta, limits);
     std::vector<int> grown = grow(next, core, limits);
     if (static_cast<double>(grown.size()) < 0.98 * static_cast<double>(facets.size())) return;
     const bool has_grown = grown.size() > facets.size();

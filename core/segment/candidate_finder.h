@@ -67,8 +67,9 @@ class CandidateFinder {
   std::optional<Candidate> develop(Surface s, const std::vector<int>& patch);
   bool has_fine_facets(const Surface& s, const std::vector<int>& facets) const;
   bool fit_core(Surface& s, std::vector<int>& core);
-  bool refine_uncut(Surface& s, const std::vector<int>& facets);
-  void allow_chords(const Surface& s, const std::vector<int>& facets, Limits& limits) const;
+  bool refine_uncut(Surface& s, const std::vector<int>& facets, FitQuality& q);
+  void allow_chords(const Surface& s, const std::vector<int>& facets, double sagitta,
+                    Limits& limits) const;
   double widening(const Surface& cone, const std::vector<int>& facets) const;
   void refine_while_growing(Surface& s, const std::vector<int>& core, Limits limits,
                             std::vector<int>& facets);

@@ -148,6 +148,7 @@ bool FacetFitter::is_solid(int facet) const {
 
 double FacetFitter::refine_uncut(Surface& surface, std::span<const int> facets,
                                  const FitQuality& quality) {
+  if (quality.rms_distance < 0.5 * tolerance_.eps) return quality.rms_distance;
   switch (surface.kind) {
     case SurfaceKind::Cylinder:
     case SurfaceKind::Cone:
@@ -176,8 +177,7 @@ double FacetFitter::refine_on_planes(Surface& surface, std::span<const int> face
   const std::optional<InscribedFit> fit = inscribed_fit(surface, planes);
   if (!fit) return kInfinity;
   const double error = fit->rms_distance;
-  if (quality.rms_distance < 2 * error || quality.rms_distance < 0.5 * tolerance_.eps) return error;
-  if (error > 0.1 * quality.sagitta) return error;
+  if (quality.rms_distance < 2 * error || error > 0.1 * quality.sagitta) return error;
   const std::optional<double> turn = regular_turn(solid);
   if (!turn) return kInfinity;
   surface = circumscribed(fit->surface, step_about_axis(fit->surface, *turn));
@@ -216,7 +216,6 @@ bool FacetFitter::is_determined(const Surface& s, std::span<const Vec3> points,
 
 double FacetFitter::refine_on_inner_corners(Surface& surface, std::span<const int> facets,
                                             const FitQuality& quality) {
-  if (quality.rms_distance < 0.5 * tolerance_.eps) return quality.rms_distance;
   const std::vector<Vec3> inner = inner_corners(facets);
   const auto parameters = static_cast<std::size_t>(parameter_count(surface.kind));
   if (inner.size() < kPointsPerParameter * parameters) return kInfinity;
