@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/base/file.h"
+#include "core/base/nearest_rotation.h"
 #include "core/csg/protrude.h"
 #include "core/csg/turned_faces.h"
 #include "core/io/scad_literal.h"
@@ -63,10 +64,19 @@ ScadStyle style_for(const Tree& tree, const ScadOptions& options) {
   return style;
 }
 
+/// The tree with boxes, cylinders, ... whose axes stand exactly at right angles: what is written in
+/// a frame must fit it to the digits that are printed.
+Tree with_rotations(Tree tree) {
+  for (Literal& s : tree.literals) s.rotation = nearest_rotation(s.rotation);
+  return tree;
+}
+
 class ScadWriter {
  public:
   ScadWriter(const Tree& tree, const ScadStyle& style)
-      : tree_(tree), style_(style), frames_(find_frames(tree.literals, style.tolerance_rad)) {}
+      : tree_(with_rotations(tree)),
+        style_(style),
+        frames_(find_frames(tree_.literals, style.tolerance_rad)) {}
 
   /// Modules first, then the design.
   std::string run() {
@@ -217,7 +227,7 @@ class ScadWriter {
            "\n";
   }
 
-  const Tree& tree_;
+  const Tree tree_;
   const ScadStyle& style_;
   FrameSet frames_;
   ModuleNames names_;

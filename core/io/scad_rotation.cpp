@@ -137,17 +137,22 @@ class FrameFinder {
   }
 
   /// A design is written upright unless hardly anything in it is; boxes decide where there are any.
+  /// Those of a turned frame must be half of all: spokes around a hub leave it upright.
   void choose_root() {
     const bool has_box = std::any_of(literals_.begin(), literals_.end(),
                                      [](const Literal& s) { return s.kind == SolidKind::Box; });
+    std::vector<const Literal*> voters;
+    for (const Literal& s : literals_) {
+      if (has_box ? s.kind == SolidKind::Box : has_axis(s)) voters.push_back(&s);
+    }
     constexpr int kUprightBonus = 3;
     int best_votes = 0;
     for (std::size_t f = 0; f < set_.frames.size(); ++f) {
-      int votes = 0;
-      for (const Literal& s : literals_) {
-        const bool is_voter = has_box ? s.kind == SolidKind::Box : has_axis(s);
-        if (is_voter && is_aligned(s, set_.frames[f], tolerance_)) ++votes;
-      }
+      auto votes =
+          static_cast<int>(std::count_if(voters.begin(), voters.end(), [&](const Literal* s) {
+            return is_aligned(*s, set_.frames[f], tolerance_);
+          }));
+      if (f > 0 && 2 * votes < static_cast<int>(voters.size())) continue;
       if (f == 0) votes *= kUprightBonus;
       if (votes > best_votes) {
         best_votes = votes;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/sample/bar_ends.h"
 #include "core/sample/cells.h"
 #include "core/sample/separate.h"
 #include "core/synth/decompose/gather.h"
@@ -86,8 +87,7 @@ class TreeSearch {
         tells_drafts_(problem.on_draft != nullptr),
         label_(*problem.query, *problem.segmentation, problem.groups, problem.is_subtracted),
         surfaces_(select_surfaces(*problem.surfaces, label_)),
-        triangles_(triangles_of(*problem.segmentation, problem.groups)),
-        own_directions_(static_cast<int>(surfaces_.directions.size())) {
+        triangles_(triangles_of(*problem.segmentation, problem.groups)) {
     label_.ignore(problem.ignored);
     space_.label = &label_;
     space_.segmentation = problem.segmentation;
@@ -110,6 +110,7 @@ class TreeSearch {
               " different surfaces are more than a design has: the mesh is free-form or "
               "noisy; reconstruct its regular parts as partitions or loosen the tolerances"};
     }
+    add_bar_ends();
     Result<SampleTable> table =
         build_sample_table(space_, options_.volume_points, surfaces_.halfspace_of_group, run_);
     if (!table) return table.error();
@@ -157,6 +158,13 @@ class TreeSearch {
   }
 
  private:
+  /// Their directions count as the part's own: its sides tell them.
+  void add_bar_ends() {
+    const std::vector<Halfspace> ends = bar_ends(space_, surfaces_);
+    surfaces_.halfspaces.insert(surfaces_.halfspaces.end(), ends.begin(), ends.end());
+    own_directions_ = static_cast<int>(surfaces_.directions.size());
+  }
+
   void separate() {
     const Separation done =
         add_separating_halfspaces(space_, surfaces_, table_, cells_, cut_, run_);
@@ -349,8 +357,8 @@ class TreeSearch {
   Labeller label_;
   SurfaceSet surfaces_;
   std::vector<int> triangles_;
-  int own_directions_;  ///< those after them come with separating halfspaces
-  int corners_ = 0;     ///< cut off by pairs of planes
+  int own_directions_ = 0;  ///< those after them come with separating halfspaces
+  int corners_ = 0;         ///< cut off by pairs of planes
   double progress_begin_ = kProgressBegin, progress_end_ = kProgressEnd;
   SampleSpace space_;
   SampleTable table_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/nearest_rotation.h"
 #include "core/csg/prism.h"
 #include "core/synth/decompose/shorten.h"
 #include "core/synth/decompose/term_cost.h"
@@ -315,9 +316,11 @@ class Lowering {
   Literal box(const PrimitivePlan& plan, int reach, const Room& room) const {
     Literal out;
     out.kind = SolidKind::Box;
-    out.rotation = box_frame(plan.planes);
+    // Its sides may stand at right angles only within a tolerance; a box does exactly.
+    const Mat3 axes = box_frame(plan.planes);
+    out.rotation = nearest_rotation(axes);
     for (int c = 0; c < 3; ++c) {
-      const Vec3 axis = out.rotation.col(c);
+      const Vec3 axis = axes.col(c);
       const Interval side = closed(axis, bounds_along(axis, plan.planes), reach, room);
       out.origin[c] = side.lo;
       out.size[c] = side.hi - side.lo;

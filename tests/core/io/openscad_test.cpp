@@ -88,6 +88,33 @@ TEST_CASE("a part turned as a whole is written upright under one rotation") {
         "}\n");
 }
 
+TEST_CASE("boxes that are square only within a tolerance keep their turn") {
+  // The sides of a tilted spoke, as fits give them.
+  Mat3 skew = about(Vec3::UnitZ(), 72) * about(Vec3::UnitY(), 5);
+  skew.col(2) = (skew.col(2) + 6e-7 * skew.col(0)).normalized();
+  Tree tree;
+  const int hub = tree.add_literal(cylinder(2, 0, 3));
+  const int spoke = tree.add_literal(box({0, -1, 0}, {9, 1, 1}, skew));
+  tree.root = tree.add_node(Op::Union, {hub, spoke});
+  CHECK(body_of(tree) ==
+        "rotate([-5, 0, -18]) union() {\n"
+        "  rotate([5, 0, 0]) cylinder(h = 3, r = 2);\n"
+        "  translate([-1, 0, 0]) cube([2, 9, 1]);\n"
+        "}\n");
+}
+
+TEST_CASE("spokes in many directions leave the design upright") {
+  Tree tree;
+  std::vector<int> parts = {tree.add_literal(cylinder(2, 0, 3))};
+  for (int k = 0; k < 5; ++k) {
+    const Mat3 turn = about(Vec3::UnitZ(), 10 + 72 * k) * about(Vec3::UnitY(), 5);
+    parts.push_back(tree.add_literal(box({0, -1, 0}, {9, 1, 1}, turn)));
+  }
+  tree.root = tree.add_node(Op::Union, parts);
+  const std::string body = body_of(tree);
+  CHECK(body.starts_with("union() {\n  cylinder(h = 3, r = 2);\n"));
+}
+
 TEST_CASE("siblings of one turned frame share its rotation") {
   const Mat3 turn = about(Vec3::UnitZ(), 45);
   Tree tree;

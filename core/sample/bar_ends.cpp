@@ -1,0 +1,225 @@
+#include "core/sample/bar_ends.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "core/fit/round_values.h"
+#include "core/mesh/edge_use.h"
+
+namespace hewn {
+namespace {
+
+constexpr std::size_t kMostEnds = 24;
+constexpr double kSquare = 1e-6;         // as for the sides of a box
+constexpr double kSameDirection = 1e-4;  // radians
+constexpr double kLeastLength = 1;       // of a bar, against its wider sides
+constexpr int kSteps = 8;                // per thickness, on the way into the solid
+constexpr double kInset = 0.02;          // of the thickness: from the sides, where labels are asked
+constexpr double kTolerance = 1e-6;      // of the diagonal
+
+/// The common edge of two sides of a bar.
+struct BarEdge {
+  int side = -1;    ///< group
+  int across = -1;  ///< group
+  double lo = kInfinity, hi = -kInfinity;
+  Vec3 point = Vec3::Zero();  ///< on it
+};
+
+/// A part of the solid between two opposite sides.
+struct Bar {
+  Vec3 along;
+  double lo = 0, hi = 0;  ///< of its sides, as far as they can be seen
+  double thickness = 0;
+  std::array<Vec3, 2> lines;  ///< points within the bar, near the edges of its third side
+};
+
+class BarFinder {
+ public:
+  BarFinder(const SampleSpace& space, const SurfaceSet& surfaces)
+      : space_(space), surfaces_(surfaces) {}
+
+  std::vector<Bar> find() {
+    collect_edges();
+    std::vector<Bar> bars;
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      for (std::size_t j = i + 1; j < edges_.size(); ++j) {
+        if (edges_[i].across == edges_[j].across) add_bar(edges_[i], edges_[j], bars);
+      }
+    }
+    return bars;
+  }
+
+ private:
+  using GroupPair = std::pair<int, int>;
+
+  const FaceGroup& group(int g) const {
+    return space_.segmentation->groups[static_cast<std::size_t>(g)];
+  }
+
+  /// The plane of a group that may be the side of a bar; null for others.
+  const Halfspace* plane_of(int g) const {
+    if (g < 0 || !space_.label->owns_group(g)) return nullptr;
+    const int h = surfaces_.halfspace_of_group[static_cast<std::size_t>(g)];
+    if (h < 0) return nullptr;
+    const Halfspace& plane = surfaces_.halfspaces[static_cast<std::size_t>(h)];
+    return plane.surface.kind == SurfaceKind::Plane ? &plane : nullptr;
+  }
+
+  /// Out of the solid, exactly along one of the part's directions.
+  Vec3 outward(int g) const {
+    const Vec3& axis = plane_of(g)->surface.axis;
+    const Vec3 facing = group(g).side * group(g).surface.axis;
+    return axis.dot(facing) < 0 ? Vec3(-axis) : axis;
+  }
+
+  /// Edges between planes at right angles, seen from either of them.
+  void collect_edges() {
+    const Mesh& mesh = space_.mesh();
+    const std::vector<EdgeSide> sides = sorted_sides(mesh.triangles);
+    for_each_edge(sides, [&](std::span<const EdgeSide> edge) {
+      if (edge.size() != 2) return;
+      const auto& group_of = space_.segmentation->group_of_triangle;
+      const int a = group_of[static_cast<std::size_t>(edge[0].triangle())];
+      const int b = group_of[static_cast<std::size_t>(edge[1].triangle())];
+      if (a == b || !plane_of(a) || !plane_of(b)) return;
+      const Vec3 p = mesh.vertices[static_cast<std::size_t>(edge[0].low())];
+      const Vec3 q = mesh.vertices[static_cast<std::size_t>(edge[0].high())];
+      if (!is_outer_edge(edge[0].triangle(), a, edge[1].triangle(), b)) return;
+      for (const GroupPair& pair : {GroupPair{a, b}, GroupPair{b, a}}) {
+        BarEdge& e = by_groups_[pair];
+        const Vec3 along = direction(pair.first, pair.second);
+        e.side = pair.first;
+        e.across = pair.second;
+        e.point = p;
+        e.lo = std::min({e.lo, along.dot(p), along.dot(q)});
+        e.hi = std::max({e.hi, along.dot(p), along.dot(q)});
+      }
+    });
+    for (const auto& [pair, edge] : by_groups_) edges_.push_back(edge);
+  }
+
+  /// Along the edge of two groups, the same for any order of them.
+  Vec3 direction(int a, int b) const {
+    const Vec3 d = outward(std::min(a, b)).cross(outward(std::max(a, b))).normalized();
+    const Vec3 size = d.cwiseAbs();
+    Eigen::Index largest = 0;
+    size.maxCoeff(&largest);
+    return d[largest] < 0 ? Vec3(-d) : d;
+  }
+
+  /// Whether the planes stand at a right angle and the solid lies within both.
+  bool is_outer_edge(int triangle_a, int a, int triangle_b, int b) const {
+    if (std::abs(outward(a).dot(outward(b))) > kSquare) return false;
+    const Mesh& mesh = space_.mesh();
+    const Vec3 way = mesh.centroid(triangle_b) - mesh.centroid(triangle_a);
+    return outward(a).dot(way) < 0 && outward(b).dot(way) > 0;
+  }
+
+  bool are_opposite(int a, int b) const {
+    return (outward(a) + outward(b)).norm() < kSameDirection;
+  }
+
+  /// Between the side across both and the one opposite to it, which must be across both, too; 0
+  /// when there is none.
+  double width(const BarEdge& e, const BarEdge& f) const {
+    for (const BarEdge& other : edges_) {
+      if (other.side != e.side || !are_opposite(other.across, e.across)) continue;
+      if (by_groups_.contains({f.side, other.across})) {
+        return outward(e.across).dot(e.point - other.point);
+      }
+    }
+    return 0;
+  }
+
+  void add_bar(const BarEdge& e, const BarEdge& f, std::vector<Bar>& bars) const {
+    if (!are_opposite(e.side, f.side)) return;
+    const Vec3 out = outward(e.side);
+    Bar bar;
+    bar.along = direction(e.side, e.across);
+    if (is_known(bar.along)) return;
+    const bool is_turned = bar.along.dot(direction(f.side, f.across)) < 0;
+    bar.lo = std::min(e.lo, is_turned ? -f.hi : f.lo);
+    bar.hi = std::max(e.hi, is_turned ? -f.lo : f.hi);
+    bar.thickness = out.dot(e.point - f.point);
+    const double across = width(e, f);
+    if (std::min(bar.thickness, across) <= 0) return;
+    if (bar.hi - bar.lo < kLeastLength * std::max(bar.thickness, across)) return;
+    const Vec3 down = -kInset * bar.thickness * outward(e.across);
+    bar.lines = {Vec3(e.point + down - kInset * bar.thickness * out),
+                 Vec3(f.point + down + kInset * bar.thickness * out)};
+    bars.push_back(bar);
+  }
+
+  bool is_known(const Vec3& along) const {
+    return std::any_of(surfaces_.halfspaces.begin(), surfaces_.halfspaces.end(),
+                       [&](const Halfspace& h) {
+                         return h.surface.kind == SurfaceKind::Plane &&
+                                h.surface.axis.cross(along).norm() < kSameDirection;
+                       });
+  }
+
+  const SampleSpace& space_;
+  const SurfaceSet& surfaces_;
+  std::map<GroupPair, BarEdge> by_groups_;
+  std::vector<BarEdge> edges_;
+};
+
+/// How far the bar goes on within the solid beyond `end`, in the sense of `sign`.
+double room_beyond(const Bar& bar, double end, double sign, const Labeller& label) {
+  const double step = bar.thickness / kSteps;
+  double room = 0;
+  for (int k = 1; k <= kSteps; ++k) {
+    for (const Vec3& p : bar.lines) {
+      const Vec3 q = p + (end + sign * (k - 0.5) * step - bar.along.dot(p)) * bar.along;
+      if (label(q) != Label::Inside) return room;
+    }
+    room = k * step;
+  }
+  return room;
+}
+
+int direction_index(const Vec3& along, std::vector<Vec3>& directions) {
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    if (directions[i].cross(along).norm() < kSameDirection) return static_cast<int>(i);
+  }
+  directions.push_back(along);
+  return static_cast<int>(directions.size()) - 1;
+}
+
+/// Appends the bar's hidden ends to `ends`, and their direction to `directions` if it is new.
+void add_ends(const Bar& bar, const SampleSpace& space, std::vector<Vec3>& directions,
+              std::vector<Halfspace>& ends) {
+  for (const auto& [end, sign] : {std::pair{bar.lo, -1.0}, std::pair{bar.hi, 1.0}}) {
+    const double room = room_beyond(bar, end, sign, *space.label);
+    if (room <= 0) continue;  // a face ends the bar there
+    Halfspace h;
+    h.is_separating = true;
+    h.tolerance = kTolerance * space.diagonal;
+    h.direction = direction_index(bar.along, directions);
+    h.surface.kind = SurfaceKind::Plane;
+    h.surface.axis = directions[static_cast<std::size_t>(h.direction)];
+    const double sense = h.surface.axis.dot(bar.along) < 0 ? -1 : 1;
+    h.surface.offset = sense * round_value(end + sign * room / 2, room / 4);
+    const bool is_new = std::none_of(ends.begin(), ends.end(), [&](const Halfspace& other) {
+      return other.direction == h.direction &&
+             std::abs(other.surface.offset - h.surface.offset) < bar.thickness / 2;
+    });
+    if (is_new) ends.push_back(h);
+  }
+}
+
+}  // namespace
+
+std::vector<Halfspace> bar_ends(const SampleSpace& space, SurfaceSet& surfaces) {
+  std::vector<Vec3> directions = surfaces.directions;
+  std::vector<Halfspace> ends;
+  for (const Bar& bar : BarFinder(space, surfaces).find()) add_ends(bar, space, directions, ends);
+  if (ends.size() > kMostEnds) return {};
+  surfaces.directions = std::move(directions);
+  return ends;
+}
+
+}  // namespace hewn
