@@ -1,7 +1,6 @@
 #include "core/sample/bar_ends.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -16,8 +15,11 @@ constexpr std::size_t kMostEnds = 24;
 constexpr double kSquare = 1e-6;         // as for the sides of a box
 constexpr double kSameDirection = 1e-4;  // radians
 constexpr double kLeastLength = 1;       // of a bar, against its wider sides
-constexpr int kSteps = 8;                // per thickness, on the way into the solid
+constexpr int kSteps = 8;                // per thickness, on the way beyond what can be seen
+constexpr int kMostSteps = 400;          // to the end of the part
 constexpr double kInset = 0.02;          // of the thickness: from the sides, where labels are asked
+constexpr int kAround = 6;               // labels asked for around an axis
+constexpr double kOpenSide = 0.35;       // mean of unit vectors to the sides: larger for an arc
 constexpr double kTolerance = 1e-6;      // of the diagonal
 
 /// The common edge of two sides of a bar.
@@ -28,12 +30,14 @@ struct BarEdge {
   Vec3 point = Vec3::Zero();  ///< on it
 };
 
-/// A part of the solid between two opposite sides.
+/// A part of the solid, or of a hole, between sides along one direction.
 struct Bar {
   Vec3 along;
   double lo = 0, hi = 0;  ///< of its sides, as far as they can be seen
   double thickness = 0;
-  std::array<Vec3, 2> lines;  ///< points within the bar, near the edges of its third side
+  Label label = Label::Inside;  ///< between its sides
+  std::vector<Vec3> low_rim,
+      high_rim = {};  ///< points between the sides, close to them, at each end
 };
 
 class BarFinder {
@@ -48,6 +52,9 @@ class BarFinder {
       for (std::size_t j = i + 1; j < edges_.size(); ++j) {
         if (edges_[i].across == edges_[j].across) add_bar(edges_[i], edges_[j], bars);
       }
+    }
+    for (int g = 0; g < static_cast<int>(space_.segmentation->groups.size()); ++g) {
+      add_round_bar(g, bars);
     }
     return bars;
   }
@@ -148,9 +155,59 @@ class BarFinder {
     if (std::min(bar.thickness, across) <= 0) return;
     if (bar.hi - bar.lo < kLeastLength * std::max(bar.thickness, across)) return;
     const Vec3 down = -kInset * bar.thickness * outward(e.across);
-    bar.lines = {Vec3(e.point + down - kInset * bar.thickness * out),
-                 Vec3(f.point + down + kInset * bar.thickness * out)};
+    bar.low_rim = {Vec3(e.point + down - kInset * bar.thickness * out),
+                   Vec3(f.point + down + kInset * bar.thickness * out)};
+    bar.high_rim = bar.low_rim;
     bars.push_back(bar);
+  }
+
+  /// A rod or a drilled hole that goes all the way round its axis.
+  void add_round_bar(int g, std::vector<Bar>& bars) const {
+    const int h = surfaces_.halfspace_of_group[static_cast<std::size_t>(g)];
+    if (h < 0 || !space_.label->owns_group(g)) return;
+    const Surface& s = surfaces_.halfspaces[static_cast<std::size_t>(h)].surface;
+    if (s.kind != SurfaceKind::Cylinder && s.kind != SurfaceKind::Cone) return;
+    if (is_known(s.axis)) return;
+    Bar bar;
+    bar.along = s.axis;
+    bar.lo = kInfinity;
+    bar.hi = -kInfinity;
+    Vec3 mean = Vec3::Zero();
+    const Mesh& mesh = space_.mesh();
+    for (const int t : group(g).triangles) {
+      const auto i = static_cast<std::size_t>(t);
+      const Vec3 from_axis = mesh.centroid(t) - s.point;
+      const Vec3 side = from_axis - s.axis * s.axis.dot(from_axis);
+      mean += mesh.areas[i] / group(g).area * side.normalized();
+      for (int k = 0; k < 3; ++k) {
+        bar.lo = std::min(bar.lo, s.axis.dot(mesh.corner(t, k)));
+        bar.hi = std::max(bar.hi, s.axis.dot(mesh.corner(t, k)));
+      }
+    }
+    if (mean.norm() > kOpenSide) return;
+    bar.label = group(g).side > 0 ? Label::Inside : Label::Outside;
+    bar.thickness = 2 * std::min(radius_at(s, bar.lo), radius_at(s, bar.hi));
+    if (bar.thickness <= 0) return;
+    bar.low_rim = rim(s, bar.lo);
+    bar.high_rim = rim(s, bar.hi);
+    bars.push_back(bar);
+  }
+
+  static double radius_at(const Surface& s, double along) {
+    if (s.kind == SurfaceKind::Cylinder) return s.radius;
+    return (along - s.axis.dot(s.point)) * std::tan(s.half_angle_rad);
+  }
+
+  static std::vector<Vec3> rim(const Surface& s, double along) {
+    const Tangents t = tangents(s.axis);
+    const Vec3 center = s.point + (along - s.axis.dot(s.point)) * s.axis;
+    std::vector<Vec3> points;
+    for (int k = 0; k < kAround; ++k) {
+      const double angle = 2 * kPi * k / kAround;
+      const Vec3 outward = std::cos(angle) * t.u + std::sin(angle) * t.w;
+      points.push_back(center + (1 - 2 * kInset) * radius_at(s, along) * outward);
+    }
+    return points;
   }
 
   bool is_known(const Vec3& along) const {
@@ -167,18 +224,21 @@ class BarFinder {
   std::vector<BarEdge> edges_;
 };
 
-/// How far the bar goes on within the solid beyond `end`, in the sense of `sign`.
-double room_beyond(const Bar& bar, double end, double sign, const Labeller& label) {
+/// How far the bar goes on unseen beyond `end`, in the sense of `sign`; 0 when that is to the end
+/// of the part, where it needs no end of its own.
+double room_beyond(const Bar& bar, double end, double sign, const SampleSpace& space) {
   const double step = bar.thickness / kSteps;
-  double room = 0;
-  for (int k = 1; k <= kSteps; ++k) {
-    for (const Vec3& p : bar.lines) {
-      const Vec3 q = p + (end + sign * (k - 0.5) * step - bar.along.dot(p)) * bar.along;
-      if (label(q) != Label::Inside) return room;
+  const std::vector<Vec3>& rim = sign < 0 ? bar.low_rim : bar.high_rim;
+  for (int k = 0; k < kMostSteps; ++k) {
+    bool is_in_part = false;
+    for (const Vec3& p : rim) {
+      const Vec3 q = p + (end + sign * (k + 0.5) * step - bar.along.dot(p)) * bar.along;
+      if ((*space.label)(q) != bar.label) return k * step;
+      is_in_part = is_in_part || space.mesh().bounds.contains(q);
     }
-    room = k * step;
+    if (!is_in_part) return 0;
   }
-  return room;
+  return 0;
 }
 
 int direction_index(const Vec3& along, std::vector<Vec3>& directions) {
@@ -193,7 +253,7 @@ int direction_index(const Vec3& along, std::vector<Vec3>& directions) {
 void add_ends(const Bar& bar, const SampleSpace& space, std::vector<Vec3>& directions,
               std::vector<Halfspace>& ends) {
   for (const auto& [end, sign] : {std::pair{bar.lo, -1.0}, std::pair{bar.hi, 1.0}}) {
-    const double room = room_beyond(bar, end, sign, *space.label);
+    const double room = std::min(bar.thickness, room_beyond(bar, end, sign, space));
     if (room <= 0) continue;  // a face ends the bar there
     Halfspace h;
     h.is_separating = true;

@@ -1,6 +1,8 @@
 #include "core/sample/bar_ends.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <doctest/doctest.h>
 
@@ -35,6 +37,18 @@ TEST_CASE("every spoke gets a plane in the hub and one in the rim") {
     CHECK(((radius > 6 && radius < 14) || (radius > 44 && radius < 50)));
     CHECK((*part.space.label)(p) == Label::Inside);
   }
+}
+
+TEST_CASE("rods get a plane where they are hidden, holes where they open into a bore") {
+  auto loaded = load_mesh(HEWN_TEST_DATA "/hub_with_rods.off", {}, {});
+  REQUIRE(loaded);
+  solids::PartProblem part(std::move(loaded->mesh));
+  const std::vector<Halfspace> ends = bar_ends(part.space, part.surfaces);
+  CHECK(ends.size() == 7);
+  // The hole leans by 65 degrees, the rods by 83.
+  CHECK(std::count_if(ends.begin(), ends.end(), [](const Halfspace& h) {
+          return std::abs(std::abs(h.surface.axis.z()) - std::cos(65 * kPi / 180)) < 1e-3;
+        }) == 1);
 }
 
 TEST_CASE("bars that end in the open get no planes") {

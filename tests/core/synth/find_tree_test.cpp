@@ -1,7 +1,11 @@
 #include "core/synth/find_tree.h"
 
+#include <string>
+#include <utility>
+
 #include <doctest/doctest.h>
 
+#include "core/mesh/load.h"
 #include "tests/support/part_problem.h"
 #include "tests/support/solids.h"
 
@@ -25,6 +29,16 @@ TEST_CASE("simple solids come back as the one or two literals they are") {
   CHECK(literal_count(find(cylinder).tree) == 1);
   const solids::PartProblem plate(solids::plate_with_hole({10, 8, 2}, 2, 32));
   CHECK(literal_count(find(plate).tree) == 2);
+}
+
+TEST_CASE("bars that end unseen come back as the primitives they were made as") {
+  for (const char* name : {"/spoked_wheel.off", "/hub_with_rods.off"}) {
+    CAPTURE(name);
+    auto loaded = load_mesh(HEWN_TEST_DATA + std::string(name), {}, {});
+    REQUIRE(loaded);
+    const solids::PartProblem part(std::move(loaded->mesh));
+    CHECK(literal_count(find(part).tree) <= 9);
+  }
 }
 
 TEST_CASE("a solid turned and moved gives as small a tree as in its own frame") {
