@@ -11,11 +11,9 @@ namespace hewn {
 /// directions, each for one more primitive; with it, the bar is one box. The same holds for a rod,
 /// and for a hole that ends in a bore.
 ///
-/// A bar has four sides around it, with outer edges between them, or a cylinder or cone that goes
-/// all the way round. Only those along a direction that no plane of the part has are of interest. A
-/// plane lies at a round place where the bar goes on unseen for a while, but not to the end of the
-/// part. None when there are too many. New directions are appended to `surfaces.directions`.
-/// Cost: O(n log n) for n triangles, and some hundred labels for each bar.
+/// Bars are those of `find_bars`. A plane lies at a round place where the bar goes on unseen for a
+/// while, but not to the end of the part. None when there are too many. New directions are appended
+/// to `surfaces.directions`. Cost: that of `find_bars`, and some hundred labels for each bar.
 std::vector<Halfspace> bar_ends(const SampleSpace& space, SurfaceSet& surfaces);
 
 }  // namespace hewn
