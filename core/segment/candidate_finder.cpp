@@ -226,7 +226,7 @@ bool CandidateFinder::fit_core(Surface& s, std::vector<int>& core) {
 /// Where the corners are off, fits to what cutting the facets did not move. Whether that agrees
 /// with the surface; `q` is its quality, before and after.
 bool CandidateFinder::refine_uncut(Surface& s, const std::vector<int>& facets, FitQuality& q) {
-  if (q.rms_distance < 0.5 * tolerance_.eps) return false;
+  if (fitter_.has_exact_corners(q)) return false;
   const double error = fitter_.refine_uncut(s, facets, q);
   if (!(error < kTightUncut * q.sagitta)) return false;
   q = fitter_.evaluate(s, facets);

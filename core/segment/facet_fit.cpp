@@ -148,14 +148,14 @@ bool FacetFitter::is_solid(int facet) const {
 
 double FacetFitter::refine_uncut(Surface& surface, std::span<const int> facets,
                                  const FitQuality& quality) {
-  if (quality.rms_distance < 0.5 * tolerance_.eps) return quality.rms_distance;
+  if (has_exact_corners(quality)) return quality.rms_distance;
   switch (surface.kind) {
     case SurfaceKind::Cylinder:
     case SurfaceKind::Cone:
       return refine_on_planes(surface, facets, quality);
     case SurfaceKind::Sphere:
-    case SurfaceKind::Torus:
       return refine_on_inner_corners(surface, facets, quality);
+    case SurfaceKind::Torus:  // would take strips of the cylinders that it goes on in
     case SurfaceKind::Plane:
       break;
   }

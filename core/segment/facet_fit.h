@@ -48,8 +48,12 @@ class FacetFitter {
   std::vector<Surface> guess(std::span<const int> facets);
   /// Gauss-Newton on the corners. False when the fit degenerates.
   bool refine(Surface& surface, std::span<const int> facets, const FacetFitSettings& settings);
+  /// Whether all corners lie on the surface, so that nothing was cut.
+  bool has_exact_corners(const FitQuality& quality) const {
+    return quality.rms_distance < 0.5 * tolerance_.eps;
+  }
   /// Fits to what cutting the facets did not move: a cylinder or cone to their planes (see
-  /// tangent_planes.h), a sphere or torus to the corners that none but these facets share. Returns
+  /// tangent_planes.h), a sphere to the corners that none but these facets share. Returns
   /// the root mean square of what then deviates (infinite: too little is known); moves `surface`
   /// only when all corners are off and the others agree.
   double refine_uncut(Surface& surface, std::span<const int> facets, const FitQuality& quality);
