@@ -191,7 +191,7 @@ class BarFinder {
     for (int k = 0; k < kAround; ++k) {
       const double angle = 2 * kPi * k / kAround;
       const Vec3 outward = std::cos(angle) * t.u + std::sin(angle) * t.w;
-      points.push_back(center + (1 - 2 * kInset) * radius_at(s, along) * outward);
+      points.emplace_back(center + (1 - 2 * kInset) * radius_at(s, along) * outward);
     }
     return points;
   }
