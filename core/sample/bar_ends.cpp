@@ -5,14 +5,14 @@
 
 #include "core/fit/round_values.h"
 #include "core/sample/bars.h"
+#include "core/sample/separating_plane.h"
 
 namespace hewn {
 namespace {
 
 constexpr std::size_t kMostEnds = 24;
-constexpr int kSteps = 8;            // per thickness, on the way beyond what can be seen
-constexpr int kMostSteps = 400;      // to the end of the part
-constexpr double kTolerance = 1e-6;  // of the diagonal
+constexpr int kSteps = 8;        // per thickness, on the way beyond what can be seen
+constexpr int kMostSteps = 400;  // to the end of the part
 
 /// How far the bar goes on unseen beyond `end`, in the sense of `sign`; 0 when that is to the end
 /// of the part, where it needs no end of its own.
@@ -45,14 +45,9 @@ void add_ends(const Bar& bar, const SampleSpace& space, std::vector<Vec3>& direc
   for (const auto& [end, sign] : {std::pair{bar.lo, -1.0}, std::pair{bar.hi, 1.0}}) {
     const double room = std::min(bar.thickness, room_beyond(bar, end, sign, space));
     if (room <= 0) continue;  // a face ends the bar there
-    Halfspace h;
-    h.is_separating = true;
-    h.tolerance = kTolerance * space.diagonal;
-    h.direction = direction_index(bar.along, directions);
-    h.surface.kind = SurfaceKind::Plane;
-    h.surface.axis = directions[static_cast<std::size_t>(h.direction)];
-    const double sense = h.surface.axis.dot(bar.along) < 0 ? -1 : 1;
-    h.surface.offset = sense * round_value(end + sign * room / 2, room / 4);
+    const double place = round_value(end + sign * room / 2, room / 4);
+    const int direction = direction_index(bar.along, directions);
+    const Halfspace h = separating_plane(directions, direction, bar.along, place, space.diagonal);
     const bool is_new = std::none_of(ends.begin(), ends.end(), [&](const Halfspace& other) {
       return other.direction == h.direction &&
              std::abs(other.surface.offset - h.surface.offset) < bar.thickness / 2;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/compute/parallel.h"
+#include "core/sample/separating_plane.h"
 
 namespace hewn {
 namespace {
@@ -53,13 +54,8 @@ class CandidatePool {
   }
 
   int add_plane_along(int direction, const Vec3& normal, double offset) {
-    Halfspace h;
-    h.is_separating = true;
-    h.tolerance = 1e-6 * diagonal_;
-    h.direction = direction;
-    h.surface.kind = SurfaceKind::Plane;
-    h.surface.axis = surfaces_->directions[direction];
-    h.surface.offset = h.surface.axis.dot(normal) < 0 ? -offset : offset;
+    const Halfspace h =
+        separating_plane(surfaces_->directions, direction, normal, offset, diagonal_);
     if (find(surfaces_->halfspaces, h) >= 0) return -1;
     const int known = find(pool_, h);
     if (known >= 0) return known;

@@ -75,7 +75,7 @@ std::optional<InscribedFit> cone_fit(const Surface& near, std::span<const Tangen
   for (const TangentPlane& p : planes) {
     squares += square_missed(p, p.normal.dot(p.point - s.point), p.normal.dot(s.axis) + sine);
   }
-  return InscribedFit{s, std::sqrt(squares / total_weight(planes))};
+  return InscribedFit{s, std::sqrt(squares / total)};
 }
 
 }  // namespace
