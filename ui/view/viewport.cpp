@@ -294,6 +294,7 @@ void Viewport::end_drag(Ui& ui, const ViewArea& area) {
 }
 
 void Viewport::hover(Ui& ui, const ViewArea& area, bool is_hovered) {
+  waits_for_hover_ = false;
   if (drag_ != Drag::None) return;
   if (!is_hovered) {
     ui.state.hovered = -1;
@@ -301,8 +302,9 @@ void Viewport::hover(Ui& ui, const ViewArea& area, bool is_hovered) {
     return;
   }
   ui.state.hovered_literal = ui.state.hovered_node = -1;
-  // While a slow picture changes, what is under the mouse can wait.
-  if (is_rough_ && !has_ids(build_scene(ui, area))) return;
+  // While a slow picture changes, what is under the mouse can wait; it may rest there by then.
+  waits_for_hover_ = is_rough_ && !has_ids(build_scene(ui, area));
+  if (waits_for_hover_) return;
   point_at(ui, area, last_mouse_);
 }
 

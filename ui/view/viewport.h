@@ -20,8 +20,9 @@ class Viewport {
   void draw(Ui& ui, const ViewArea& area);
   /// Whether a drag that moves the camera is going on.
   bool is_moving() const { return drag_ == Drag::Orbit || drag_ == Drag::Pan; }
-  /// Whether the picture is rough for now: drawn again a moment later, it gets its details.
-  bool wants_detail() const { return is_rough_ || waits_for_exact_; }
+  /// Whether the picture is rough for now, or does not tell yet what is under the mouse: drawn
+  /// again a moment later, it gets its details.
+  bool wants_detail() const { return is_rough_ || waits_for_exact_ || waits_for_hover_; }
 
  private:
   enum class Drag { None, Pick, Box, Lasso, Orbit, Pan, Knife, Handle, Measure };
@@ -64,6 +65,7 @@ class Viewport {
   float drawn_width_ = 0, drawn_height_ = 0;
   Clock::time_point changed_{};  ///< when the picture last changed
   bool is_rough_ = false;
+  bool waits_for_hover_ = false;
   double detail_cost_ms_ = 0;  ///< of a picture with all samples and triangles
   IdImage ids_;
   Scene ids_scene_;  ///< what `ids_` shows, without colours
