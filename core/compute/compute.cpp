@@ -2,6 +2,8 @@
 
 #include <charconv>
 
+#include "core/compute/parallel.h"
+
 namespace hewn {
 namespace {
 
@@ -30,7 +32,11 @@ Result<DeviceChoice> DeviceChoice::parse(std::string_view text) {
 }
 
 Compute::Compute(int threads, DeviceChoice choice, OpenDevice open)
-    : cpu_(threads), open_(std::move(open)), usual_(choice), choice_(choice) {}
+    : cpu_(threads),
+      workers_(worker_count(threads)),
+      open_(std::move(open)),
+      usual_(choice),
+      choice_(choice) {}
 
 void Compute::choose(DeviceChoice choice) {
   if (choice.kind == DeviceChoice::Kind::Auto) choice = usual_;
@@ -75,12 +81,19 @@ long Compute::accelerated_jobs() const {
   return accelerated_jobs_;
 }
 
+/// Requires: the lock.
+bool Compute::is_wanted(double cpu_seconds) {
+  if (choice_.kind != DeviceChoice::Kind::Auto) return choice_.kind == DeviceChoice::Kind::Cuda;
+  const double seconds = cpu_seconds / workers_;
+  if (seconds < kLeastSeconds) return false;
+  if (is_asked_for_) return true;
+  missed_seconds_ += seconds;
+  return missed_seconds_ >= kOpeningSeconds;
+}
+
 Device* Compute::accelerator(double cpu_seconds, const RunContext& context) {
   const std::lock_guard lock(mutex_);
-  const bool is_demanded = choice_.kind == DeviceChoice::Kind::Cuda;
-  const bool is_wanted =
-      is_demanded || (choice_.kind == DeviceChoice::Kind::Auto && cpu_seconds >= kLeastSeconds);
-  if (!is_wanted) return nullptr;
+  if (!is_wanted(cpu_seconds)) return nullptr;
   if (!is_asked_for_) {
     is_asked_for_ = true;
     auto opened = open_ ? open_(choice_.index)
@@ -89,7 +102,7 @@ Device* Compute::accelerator(double cpu_seconds, const RunContext& context) {
       device_ = std::move(*opened);
       is_well_ = true;
       tell(context, Severity::Info, "using " + device_->info().name);
-    } else if (is_demanded) {
+    } else if (choice_.kind == DeviceChoice::Kind::Cuda) {
       tell(context, Severity::Warning, opened.error().message + "; the processor does the work");
     }
   }

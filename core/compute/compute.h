@@ -48,7 +48,7 @@ class Compute {
   void choose(DeviceChoice choice);
 
   /// Does the job. `cpu_seconds`, an estimate of what it takes on one core, decides with
-  /// `DeviceChoice::Kind::Auto`: see `kLeastSeconds`.
+  /// `DeviceChoice::Kind::Auto`: see `kLeastSeconds` and `kOpeningSeconds`.
   /// Fails with: what the job returns on the processor, Cancelled.
   Result<void> run(double cpu_seconds, const RunContext& context, const Job& job);
 
@@ -60,17 +60,21 @@ class Compute {
   /// Jobs done on an accelerator so far.
   long accelerated_jobs() const;
 
-  /// Jobs below this stay on the processor under `Auto`. Opening a device takes some 0.3 s once,
-  /// and a launch with its copies some 50 us each time: a job that keeps a core busy for so long
-  /// outweighs the second many times, and a run with such jobs has several. Not yet measured.
-  static constexpr double kLeastSeconds = 0.02;
+  /// Under `Auto`, jobs that take all threads less than this stay on the processor: a launch with
+  /// its copies takes 0.05 to 0.4 ms (docs/performance.md).
+  static constexpr double kLeastSeconds = 5e-4;
+  /// Opening a device takes this once. It is opened when the longer jobs so far have taken as long:
+  /// then it has cost at most twice what the better choice would have, whatever is still to come.
+  static constexpr double kOpeningSeconds = 0.35;
 
  private:
+  bool is_wanted(double cpu_seconds);
   /// nullptr: none is wanted or none works.
   Device* accelerator(double cpu_seconds, const RunContext& context);
   void fall_back(const Error& reason, const RunContext& context);
 
   CpuDevice cpu_;
+  const int workers_;  ///< of the processor
   OpenDevice open_;
   mutable std::mutex mutex_;  ///< guards the rest
   const DeviceChoice usual_;
@@ -79,6 +83,7 @@ class Compute {
   bool is_told_ = false;       ///< the user knows that the processor stands in
   bool is_well_ = false;
   long accelerated_jobs_ = 0;
+  double missed_seconds_ = 0;  ///< of longer jobs that the processor has done under `Auto`
   std::unique_ptr<Device> device_;
   std::vector<std::unique_ptr<Device>> retired_;  ///< jobs may still hold buffers on them
 };

@@ -128,7 +128,7 @@ TEST_CASE("without a driver the processor works, and a demanded device is missed
   CHECK(automatic.warnings.empty());
 }
 
-TEST_CASE("small jobs stay on the processor unless a device is demanded") {
+TEST_CASE("a device is opened when jobs have taken as long, and then does all but small ones") {
   Run run;
   FailingDevice* device = nullptr;
   Compute automatic(1, {DeviceChoice::Kind::Auto, 0}, opens(device, 1000, kLost));
@@ -143,10 +143,16 @@ TEST_CASE("small jobs stay on the processor unless a device is demanded") {
                 .has_value());
     return is_accelerator;
   };
-  CHECK_FALSE(on_accelerator(Compute::kLeastSeconds / 2));
+  constexpr double kSmall = Compute::kLeastSeconds / 2;
+  constexpr double kLarge = Compute::kOpeningSeconds / 2.5;
+  const double enough_small_ones = 2 * Compute::kOpeningSeconds / kSmall;
+  for (double i = 0; i < enough_small_ones; ++i) REQUIRE_FALSE(on_accelerator(kSmall));
+  CHECK_FALSE(on_accelerator(kLarge));
+  CHECK_FALSE(on_accelerator(kLarge));
   CHECK(device == nullptr);  // not even opened
-  CHECK(on_accelerator(Compute::kLeastSeconds * 2));
-  CHECK_FALSE(on_accelerator(Compute::kLeastSeconds / 2));
+  CHECK(on_accelerator(kLarge));
+  CHECK(on_accelerator(2 * Compute::kLeastSeconds));
+  CHECK_FALSE(on_accelerator(kSmall));
 }
 
 TEST_CASE("a change of choice takes effect with the next job, and auto is what it was at first") {
