@@ -2,7 +2,9 @@
 
 #include <cuda_runtime.h>
 
+#include "core/compute/kernels/kernels.h"
 #include "gpu/cuda_device.h"
+#include "gpu/pinned_stage.h"
 
 namespace hewn {
 namespace {
@@ -59,14 +61,16 @@ class CudaDevice final : public Device {
   }
 
   Result<void> upload(void* to, const void* from, std::size_t bytes) override {
-    // From pageable memory: returns when `from` may change.
     return checked(on_device([&] {
+      if (bytes >= PinnedStage::kLeastBytes) return stage_.upload(to, from, bytes);
+      // From pageable memory: returns when `from` may change.
       return cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, cudaStreamPerThread);
     }));
   }
 
   Result<void> download(void* to, const void* from, std::size_t bytes) override {
     return checked(on_device([&] {
+      if (bytes >= PinnedStage::kLeastBytes) return stage_.download(to, from, bytes);
       const cudaError_t code =
           cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, cudaStreamPerThread);
       return code == cudaSuccess ? cudaStreamSynchronize(cudaStreamPerThread) : code;
@@ -80,7 +84,7 @@ class CudaDevice final : public Device {
 
   Result<void> launch(const Kernel& kernel) override {
     return checked(on_device([&] {
-      std::visit([this](const auto& k) { start(k); }, kernel);
+      std::visit([this](const auto& k) { start(k); }, kernel.any());
       return cudaGetLastError();
     }));
   }
@@ -110,6 +114,7 @@ class CudaDevice final : public Device {
   DeviceInfo info_;
   int index_;
   std::int64_t most_blocks_;
+  PinnedStage stage_;
 };
 
 Error not_usable(int index, const std::string& why) {
