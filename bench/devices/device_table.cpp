@@ -1,4 +1,5 @@
-/// One table: every kernel's job, copies included, on one core, on all cores and on the GPU.
+/// One table: every kernel's job, copies included, on one core, on all cores and on the GPU; there
+/// also the kernels alone, against what they must do at least.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -7,9 +8,14 @@
 #include <thread>
 #include <vector>
 
+#include "bench/devices/ceilings.h"
+#include "bench/devices/ring_mesh.h"
+#include "bench/devices/timed_device.h"
 #include "core/base/rng.h"
 #include "core/compute/cpu_device.h"
+#include "core/compute/curvature_job.h"
 #include "core/compute/signatures.h"
+#include "core/compute/surface_scores.h"
 #include "core/compute/tree_batch.h"
 #include "gpu/cuda_device.h"
 
@@ -18,12 +24,20 @@ namespace {
 
 constexpr int kRounds = 5;
 
+/// What a job's kernels must do at least (docs/performance.md has the counts).
+struct Floor {
+  double logic = 0;    ///< 32-bit logic operations
+  double doubles = 0;  ///< operations in double precision
+  double bytes = 0;    ///< read or written
+};
+
 /// A job and its size, for rates.
 struct Task {
   std::string name;
   double work;  ///< in units of `unit`
   const char* unit;
   std::function<Result<void>(Device&)> job;
+  Floor floor;
 };
 
 std::vector<SurfaceForm> random_surfaces(std::size_t count, Rng& rng) {
@@ -50,6 +64,12 @@ std::vector<Vec3> random_points(std::size_t count, Rng& rng) {
   return points;
 }
 
+Floor column_floor(std::size_t surfaces, std::size_t points) {
+  // In the mean of the five kinds; a square root counts once.
+  const double pairs = static_cast<double>(surfaces) * static_cast<double>(points);
+  return {0, 18 * pairs, pairs / 8 + 24 * static_cast<double>(points)};
+}
+
 Task columns_task(std::size_t surface_count, std::size_t point_count) {
   Rng rng(1);
   auto surfaces = random_surfaces(surface_count, rng);
@@ -58,7 +78,8 @@ Task columns_task(std::size_t surface_count, std::size_t point_count) {
   return {
       "columns, " + std::to_string(surface_count) + " x " + std::to_string(point_count),
       static_cast<double>(surface_count) * static_cast<double>(point_count), "distances",
-      [=](Device& device) mutable { return fill_columns(device, surfaces, points, columns, {}); }};
+      [=](Device& device) mutable { return fill_columns(device, surfaces, points, columns, {}); },
+      column_floor(surface_count, point_count)};
 }
 
 Task signatures_task(std::size_t surface_count, std::size_t point_count) {
@@ -71,7 +92,8 @@ Task signatures_task(std::size_t surface_count, std::size_t point_count) {
           static_cast<double>(surface_count) * static_cast<double>(point_count), "distances",
           [=](Device& device) mutable {
             return add_signatures(device, surfaces, points, 0, {rows, stride}, {});
-          }};
+          },
+          column_floor(surface_count, point_count)};
 }
 
 Task cells_task(std::size_t point_count, std::size_t stride) {
@@ -85,10 +107,13 @@ Task cells_task(std::size_t point_count, std::size_t stride) {
                 kinds.begin() + kind + static_cast<std::ptrdiff_t>(stride));
   }
   return {"cells, " + std::to_string(point_count) + " rows of " + std::to_string(stride),
-          static_cast<double>(point_count), "rows", [=](Device& device) -> Result<void> {
+          static_cast<double>(point_count),
+          "rows",
+          [=](Device& device) -> Result<void> {
             const auto numbers = number_distinct_rows(device, rows, stride);
             return numbers ? Result<void>() : Result<void>(numbers.error());
-          }};
+          },
+          {0, 0, static_cast<double>(point_count) * (16 * static_cast<double>(stride) + 16)}};
 }
 
 void append_tree(std::vector<Token>& out, std::size_t leaves, Rng& rng) {
@@ -100,6 +125,12 @@ void append_tree(std::vector<Token>& out, std::size_t leaves, Rng& rng) {
   append_tree(out, left, rng);
   append_tree(out, leaves - left, rng);
   out.push_back(static_cast<Token>(kUnionToken - static_cast<Token>(rng.below(3))));
+}
+
+Floor tree_floor(std::size_t trees, double operations, std::size_t rows) {
+  // Each operation, whether its operands overlap, two population counts and the wanted rows.
+  const double words = static_cast<double>(trees) * static_cast<double>(rows) / 32;
+  return {words * (2 * operations + 3), 0, 0};
 }
 
 /// Trees of 31 nodes over 64 columns. The columns stay on the device between rounds.
@@ -119,7 +150,53 @@ Task trees_task(std::size_t trees, std::size_t rows) {
   auto measured = std::make_shared<std::vector<TreeMeasures>>(trees);
   return {std::to_string(trees) + " trees of 31 nodes, " + std::to_string(rows) + " rows",
           static_cast<double>(trees), "trees",
-          [=](Device& device) { return table->measure(device, *batch, *measured, {}); }};
+          [=](Device& device) { return table->measure(device, *batch, *measured, {}); },
+          tree_floor(trees, 15, rows)};
+}
+
+/// Trees of 31 nodes over 64 primitives.
+Task scores_task(std::size_t trees, std::size_t samples) {
+  Rng rng(5);
+  constexpr std::size_t kPrimitives = 64;
+  auto table = std::make_shared<SurfaceScores>(kPrimitives, samples);
+  for (std::size_t k = 0; k < kPrimitives; ++k) {
+    for (std::size_t i = 0; i < samples; ++i) {
+      table->set(k, i, {static_cast<float>(rng.uniform(-1, 1)), 1000, 10});
+    }
+  }
+  auto batch = std::make_shared<TreeBatch>();
+  for (std::size_t t = 0; t < trees; ++t) {
+    std::vector<Token> tree;
+    append_tree(tree, 16, rng);
+    batch->add(tree);
+  }
+  auto totals = std::make_shared<std::vector<std::uint64_t>>(trees);
+  const double pairs = static_cast<double>(trees) * static_cast<double>(samples);
+  return {std::to_string(trees) + " surface scores, " + std::to_string(samples) + " samples",
+          static_cast<double>(trees),
+          "trees",
+          [=](Device& device) { return table->measure(device, *batch, *totals, {}); },
+          // A comparison and two choices for each operation.
+          {3 * 15 * pairs, 0, 0}};
+}
+
+/// All stages of segmentation by curvature on a torus of 2 n^2 triangles.
+Task curvature_task(int n) {
+  auto mesh = std::make_shared<RingMesh>(n);
+  const auto triangles = static_cast<double>(mesh->triangles.size());
+  const CurvatureJobOptions options{0.44, 0.7, 1.05, false, {0.01, 0.3, 0.3, 1.5}};
+  return {"curvature of " + std::to_string(mesh->triangles.size()) + " triangles",
+          triangles,
+          "triangles",
+          [=](Device& device) -> Result<void> {
+            const RunContext run;
+            CurvatureJob job(device, mesh->arrays(), options, run);
+            const auto classes = job.classes();
+            const auto regions = job.regions();
+            return job.result();
+          },
+          // Each pass reads its triangle and writes its result once.
+          {0, 0, 1050 * triangles}};
 }
 
 double now_s(clockid_t clock) {
@@ -128,59 +205,104 @@ double now_s(clockid_t clock) {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Seconds of the middle one of several rounds after one to warm up; negative: it failed.
-double median_seconds(Device& device, const Task& task, clockid_t clock = CLOCK_MONOTONIC) {
+/// Seconds by `now` of the middle one of several rounds after one to warm up; negative: it failed.
+double median_seconds(Device& device, const Task& task, const std::function<double()>& now) {
   std::vector<double> seconds;
   for (int round = 0; round <= kRounds; ++round) {
-    const double start = now_s(clock);
+    const double start = now();
     const Result<void> done = task.job(device);
     if (!done) {
       std::fprintf(stderr, "%s: %s\n", task.name.c_str(), done.error().message.c_str());
       return -1;
     }
-    if (round > 0) seconds.push_back(now_s(clock) - start);
+    if (round > 0) seconds.push_back(now() - start);
   }
   std::nth_element(seconds.begin(), seconds.begin() + kRounds / 2, seconds.end());
   return seconds[kRounds / 2];
 }
 
-void print_row(const Task& task, CpuDevice& one, CpuDevice& all, Device* gpu) {
+double wall_s() { return now_s(CLOCK_MONOTONIC); }
+double processor_s() { return now_s(CLOCK_PROCESS_CPUTIME_ID); }
+
+/// Where the rows are measured.
+struct Machines {
+  CpuDevice one{1};
+  CpuDevice all{0};
+  Device* gpu = nullptr;                 ///< or none
+  std::unique_ptr<TimedDevice> kernels;  ///< the same without copies
+  Ceilings ceilings;
+};
+
+/// The share of the measured time that the job must take at least, by whichever ceiling binds.
+double floor_share(const Floor& floor, const Ceilings& ceilings, double seconds) {
+  return std::max({floor.logic / ceilings.logic, floor.doubles / ceilings.doubles,
+                   floor.bytes / ceilings.bytes}) /
+         seconds;
+}
+
+void print_row(Machines& machines, const Task& task) {
   // Processor time, which other programs disturb least; with several threads that says nothing.
-  const double one_s = median_seconds(one, task, CLOCK_PROCESS_CPUTIME_ID);
-  const double all_s = median_seconds(all, task);
+  const double one_s = median_seconds(machines.one, task, processor_s);
+  const double all_s = median_seconds(machines.all, task, wall_s);
   std::printf("%-42s %10.3f %10.3f %6.2f", task.name.c_str(), one_s * 1e3, all_s * 1e3,
               one_s / all_s);
-  const double gpu_s = gpu != nullptr ? median_seconds(*gpu, task) : 0;
-  if (gpu_s > 0) {
-    std::printf(" %10.3f %8.1f", gpu_s * 1e3, all_s / gpu_s);
-  } else {
-    std::printf(" %10s %8s", "-", "-");
+  if (machines.gpu == nullptr) {
+    std::printf("  %10.3g %s/s\n", task.work / all_s, task.unit);
+    return;
   }
-  const double best_s = gpu_s > 0 ? std::min(gpu_s, all_s) : all_s;
-  std::printf("  %10.3g %s/s\n", task.work / best_s, task.unit);
+  const double gpu_s = median_seconds(*machines.gpu, task, wall_s);
+  const double kernels_s =
+      median_seconds(*machines.kernels, task, [&] { return machines.kernels->kernel_seconds(); });
+  std::printf(" %10.3f %8.1f %10.3f %5.0f %%  %10.3g %s/s\n", gpu_s * 1e3, all_s / gpu_s,
+              kernels_s * 1e3, 100 * floor_share(task.floor, machines.ceilings, kernels_s),
+              task.work / kernels_s, task.unit);
+}
+
+void print_heading(Machines& machines, const std::string& gpu) {
+  std::printf("GPU: %s\n", gpu.c_str());
+  if (machines.gpu != nullptr) {
+    std::printf(
+        "its ceilings: %.3g logic operations, %.3g double operations, %.3g bytes a second\n",
+        machines.ceilings.logic, machines.ceilings.doubles, machines.ceilings.bytes);
+  }
+  std::printf("cores: %u\n\n%-42s %10s %10s %6s", std::max(1u, std::thread::hardware_concurrency()),
+              "job, copies included", "1 core ms", "cores ms", "ratio");
+  if (machines.gpu != nullptr) {
+    std::printf(" %10s %8s %10s %7s", "GPU ms", "ratio", "kernels ms", "floor");
+  }
+  std::printf("  %10s\n", machines.gpu != nullptr ? "kernels' rate" : "rate");
 }
 
 int run() {
   auto opened = open_cuda_device(0);
-  Device* gpu = opened ? opened->get() : nullptr;
-  std::printf("GPU: %s\n",
-              gpu != nullptr ? gpu->info().name.c_str() : opened.error().message.c_str());
-  const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-  std::printf("cores: %u\n\n%-42s %10s %10s %6s %10s %8s  %s\n", cores, "job, copies included",
-              "1 core ms", "cores ms", "ratio", "GPU ms", "ratio", "best rate");
-  CpuDevice one(1);
-  CpuDevice all(0);
+  Machines machines;
+  if (opened) {
+    const auto ceilings = measure_ceilings(0);
+    if (!ceilings) {
+      std::fprintf(stderr, "%s\n", ceilings.error().message.c_str());
+      return 1;
+    }
+    machines.gpu = opened->get();
+    machines.kernels = std::make_unique<TimedDevice>(*machines.gpu);
+    machines.ceilings = *ceilings;
+  }
+  print_heading(machines, opened ? machines.gpu->info().name : opened.error().message);
   for (const auto& [surfaces, points] :
        {std::pair<std::size_t, std::size_t>{36, 40000}, {1000, 100000}}) {
-    print_row(columns_task(surfaces, points), one, all, gpu);
-    print_row(signatures_task(surfaces, points), one, all, gpu);
+    print_row(machines, columns_task(surfaces, points));
+    print_row(machines, signatures_task(surfaces, points));
   }
-  if (gpu != nullptr) print_row(columns_task(1000, 1000000), one, all, gpu);
-  print_row(cells_task(40000, 1), one, all, gpu);
-  print_row(cells_task(1000000, 2), one, all, gpu);
-  print_row(trees_task(150, 4096), one, all, gpu);
-  print_row(trees_task(gpu != nullptr ? 1000000 : 20000, 4096), one, all, gpu);
-  print_row(trees_task(gpu != nullptr ? 200000 : 2000, 65536), one, all, gpu);
+  const bool has_gpu = machines.gpu != nullptr;
+  if (has_gpu) print_row(machines, columns_task(1000, 1000000));
+  print_row(machines, cells_task(40000, 1));
+  print_row(machines, cells_task(1000000, 2));
+  print_row(machines, trees_task(150, 4096));
+  print_row(machines, trees_task(has_gpu ? 1000000 : 20000, 4096));
+  print_row(machines, trees_task(has_gpu ? 200000 : 2000, 65536));
+  print_row(machines, scores_task(150, 2000));
+  print_row(machines, scores_task(has_gpu ? 100000 : 1000, 4096));
+  print_row(machines, curvature_task(100));
+  print_row(machines, curvature_task(708));
   return 0;
 }
 
