@@ -4,6 +4,7 @@
 #include <cstring>
 #include <new>
 
+#include "core/compute/kernels/kernels.h"
 #include "core/compute/parallel.h"
 
 namespace hewn {
@@ -82,7 +83,7 @@ Result<void> CpuDevice::launch(const Kernel& kernel) {
                                    static_cast<std::int64_t>(end));
                        });
       },
-      kernel);
+      kernel.any());
   return {};
 }
 

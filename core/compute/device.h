@@ -9,9 +9,11 @@
 #include <utility>
 
 #include "core/base/result.h"
-#include "core/compute/kernels/kernels.h"
 
 namespace hewn {
+
+/// Any kernel; core/compute/kernels/kernels.h has them, for those who launch some.
+struct Kernel;
 
 struct DeviceInfo {
   std::string name;             ///< as its maker calls it

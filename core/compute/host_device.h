@@ -16,15 +16,17 @@ namespace hewn {
 /// How much of a problem one item of a kernel covers. Many small items suit a device, few large
 /// ones a processor core with vector units.
 struct HostGrain {
-  static constexpr int kRows = 64;    ///< rows of a bit column: one word
-  static constexpr int kWords = 128;  ///< words that a tree is evaluated on at a time
-  static constexpr int kBlock = 8;    ///< words in a row that vector units take; divides `kWords`
-  static constexpr int kGroup = 1;    ///< items that work in step
+  static constexpr int kRows = 64;     ///< rows of a bit column: one word
+  static constexpr int kWords = 128;   ///< words that a tree is evaluated on at a time
+  static constexpr int kBlock = 8;     ///< words in a row that vector units take; divides `kWords`
+  static constexpr int kSamples = 64;  ///< samples of a surface that a tree is scored at
+  static constexpr int kGroup = 1;     ///< items that work in step
 };
 struct DeviceGrain {
   static constexpr int kRows = 1;
   static constexpr int kWords = 2;
   static constexpr int kBlock = 2;
+  static constexpr int kSamples = 4;
   static constexpr int kGroup = 32;  ///< a warp
 };
 
@@ -36,15 +38,42 @@ HEWN_HD int count_bits(Word word) {
 #endif
 }
 
-/// *target += value. Sums of integers come out the same in any order.
+/// a / b. Requires: 0 <= a, 0 < b. GPUs divide 64-bit numbers slowly.
+HEWN_HD std::int64_t quotient(std::int64_t a, std::int64_t b) {
+#if defined(__CUDA_ARCH__)
+  if (((a | b) >> 32) == 0) return static_cast<unsigned>(a) / static_cast<unsigned>(b);
+#endif
+  return a / b;
+}
+
+/// *from, in one step. Requires: 8 bytes, aligned to their size.
+template <class T>
+HEWN_HD T load(const T* from) {
+#if defined(__CUDA_ARCH__)
+  static_assert(sizeof(T) == sizeof(unsigned long long) && alignof(T) == sizeof(T));
+  const unsigned long long bytes = *reinterpret_cast<const unsigned long long*>(from);
+  T value;
+  memcpy(&value, &bytes, sizeof(T));
+  return value;
+#else
+  return *from;
+#endif
+}
+
+#if defined(__CUDA_ARCH__)
+/// Whether the calling thread is the first of those in `mask`, a part of its warp.
+HEWN_HD bool is_first_of(unsigned mask) {
+  return (threadIdx.x & 31u) == static_cast<unsigned>(__ffs(static_cast<int>(mask)) - 1);
+}
+#endif
+
+/// *target += value, in one step for a warp. Sums of integers come out the same in any order.
+/// Requires: threads that run it together have the same target.
 HEWN_HD void sum_into(int* target, int value) {
 #if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 800
-  // One atomic operation for all threads of the warp that add to the same place.
-  const unsigned peers =
-      __match_any_sync(__activemask(), reinterpret_cast<unsigned long long>(target));
+  const unsigned peers = __activemask();
   const int total = __reduce_add_sync(peers, value);
-  const unsigned lane = threadIdx.x & 31u;
-  if (lane == static_cast<unsigned>(__ffs(static_cast<int>(peers)) - 1)) atomicAdd(target, total);
+  if (is_first_of(peers)) atomicAdd(target, total);
 #elif defined(__CUDA_ARCH__)
   atomicAdd(target, value);
 #else
@@ -52,10 +81,51 @@ HEWN_HD void sum_into(int* target, int value) {
 #endif
 }
 
-/// *target |= bits
+/// The same for large sums of small numbers. Requires: a warp's values add up to less than 2^32.
+HEWN_HD void sum_into(std::uint64_t* target, std::uint32_t value) {
+#if defined(__CUDA_ARCH__)
+  auto* place = reinterpret_cast<unsigned long long*>(target);
+#if __CUDA_ARCH__ >= 800
+  const unsigned peers = __activemask();
+  const unsigned total = __reduce_add_sync(peers, value);
+  if (is_first_of(peers)) atomicAdd(place, static_cast<unsigned long long>(total));
+#else
+  atomicAdd(place, static_cast<unsigned long long>(value));
+#endif
+#else
+  __atomic_fetch_add(target, value, __ATOMIC_RELAXED);
+#endif
+}
+
+/// *target += value; any threads, any targets.
+HEWN_HD void add_to(int* target, int value) {
+#if defined(__CUDA_ARCH__)
+  atomicAdd(target, value);
+#else
+  __atomic_fetch_add(target, value, __ATOMIC_RELAXED);
+#endif
+}
+
+/// *flag = 1
+HEWN_HD void set_flag(int* flag) {
+#if defined(__CUDA_ARCH__)
+  *static_cast<volatile int*>(flag) = 1;
+#else
+  __atomic_store_n(flag, 1, __ATOMIC_RELAXED);
+#endif
+}
+
+/// *target |= bits, with the same requirement as `sum_into`.
 HEWN_HD void unite_into(Word* target, Word bits) {
 #if defined(__CUDA_ARCH__)
-  // Most threads find their bits set already, and reading costs less.
+#if __CUDA_ARCH__ >= 800
+  const unsigned peers = __activemask();
+  const unsigned low = __reduce_or_sync(peers, static_cast<unsigned>(bits));
+  const unsigned high = __reduce_or_sync(peers, static_cast<unsigned>(bits >> 32));
+  if (!is_first_of(peers)) return;
+  bits = static_cast<Word>(high) << 32 | low;
+#endif
+  // Most find their bits set already, and reading costs less.
   auto* place = reinterpret_cast<unsigned long long*>(target);
   const unsigned long long known = *static_cast<volatile unsigned long long*>(place);
   if ((bits & ~known) != 0) atomicOr(place, static_cast<unsigned long long>(bits));
@@ -73,6 +143,19 @@ HEWN_HD int exchange_if(int* target, int expected, int value) {
 #else
   __atomic_compare_exchange_n(target, &expected, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
   return expected;
+#endif
+}
+
+/// Copies `kWords` words between places aligned to their size: on a device, two at a time.
+template <int kWords>
+HEWN_HD void copy_words(Word* to, const Word* from) {
+#if defined(__CUDA_ARCH__)
+  static_assert(kWords % 2 == 0, "devices move 16 bytes at a time");
+  for (int i = 0; i < kWords; i += 2) {
+    *reinterpret_cast<ulonglong2*>(to + i) = *reinterpret_cast<const ulonglong2*>(from + i);
+  }
+#else
+  for (int i = 0; i < kWords; ++i) to[i] = from[i];
 #endif
 }
 

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/compute/kernels/kernels.h"
+
 namespace hewn {
 namespace {
 
-/// Distances between two looks at the cancel token: some 10 ms of one core.
+/// Distances between two looks at the cancel token: some 10 ms of one core, or of a GPU.
 constexpr std::size_t kPairsPerPart = std::size_t{1} << 22;
+constexpr std::size_t kPairsPerAcceleratedPart = std::size_t{1} << 30;
 
 /// The points' coordinates in three arrays, padded to whole words of `kWordBlock`.
 struct PointArrays {
@@ -43,7 +46,8 @@ std::size_t points_per_part(const Device& device, std::size_t surfaces, std::siz
   const std::size_t reserve = surfaces * sizeof(SurfaceForm);
   const std::size_t budget = device.info().memory_budget;
   const std::size_t fit = budget > reserve ? (budget - reserve) / point_bytes : 0;
-  const std::size_t quick = kPairsPerPart * (device.info().is_accelerator ? 64 : 1) / surfaces;
+  const std::size_t quick =
+      (device.info().is_accelerator ? kPairsPerAcceleratedPart : kPairsPerPart) / surfaces;
   return std::max(std::min(fit, quick) / kStep * kStep, kStep);
 }
 
@@ -64,6 +68,10 @@ Result<void> fill_columns(Device& device, std::span<const SurfaceForm> surfaces,
     const auto part_words = static_cast<std::size_t>(part.words);
     const auto out = job.allocate<Word>(surfaces.size() * part_words);
     job.launch(part.kernel(forms, out.data()));
+    if (part_words == words) {
+      job.download(out, columns);
+      break;
+    }
     part_columns.resize(surfaces.size() * part_words);
     job.download(out, std::span<Word>(part_columns));
     if (job.has_failed()) return job.result();

@@ -6,6 +6,7 @@
 #include "core/base/math.h"
 #include "core/base/run_context.h"
 #include "core/compute/device.h"
+#include "core/compute/kernels/surface_form.h"
 
 namespace hewn {
 

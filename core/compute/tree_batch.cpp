@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
+#include "core/compute/kernels/kernels.h"
 
 namespace hewn {
 namespace {
 
-/// Steps times words between two looks at the cancel token: some 20 ms of one core.
+/// Steps times words between two looks at the cancel token: some 20 ms of one core, or of a GPU.
 constexpr std::size_t kWorkPerLaunch = std::size_t{1} << 26;
+constexpr std::size_t kWorkPerAcceleratedLaunch = std::size_t{1} << 33;
 
 constexpr TreeOperand array_operand(int array) { return static_cast<TreeOperand>(-1 - array); }
 
@@ -63,6 +65,7 @@ void TreeBatch::add(std::span<const Token> tree) {
   span.first_step = static_cast<std::int64_t>(steps_.size());
   span.first_overlap = static_cast<std::int64_t>(overlap_words_);
   span.value = emit(tree, stack_.back(), 0);
+  if (span.value < 0) span.value = kPreviousResult;
   span.steps =
       static_cast<std::int32_t>(static_cast<std::int64_t>(steps_.size()) - span.first_step);
   overlap_words_ += (static_cast<std::size_t>(span.steps) + 63) / 64;
@@ -78,13 +81,21 @@ TreeOperand TreeBatch::emit(std::span<const Token> tree, std::int32_t node, int 
   step.target = static_cast<std::uint8_t>(first_array);
   if (token == kComplementToken) {
     step.b = emit(tree, n.right, first_array);
-  } else if (nodes_[static_cast<std::size_t>(n.left)].arrays >=
-             nodes_[static_cast<std::size_t>(n.right)].arrays) {
-    step.a = emit(tree, n.left, first_array);
-    step.b = emit(tree, n.right, first_array + (step.a < 0 ? 1 : 0));
+    if (step.b < 0) step.b = kPreviousResult;
   } else {
-    step.b = emit(tree, n.right, first_array);
-    step.a = emit(tree, n.left, first_array + (step.b < 0 ? 1 : 0));
+    const bool left_first = nodes_[static_cast<std::size_t>(n.left)].arrays >=
+                            nodes_[static_cast<std::size_t>(n.right)].arrays;
+    TreeOperand& early = left_first ? step.a : step.b;
+    TreeOperand& late = left_first ? step.b : step.a;
+    early = emit(tree, left_first ? n.left : n.right, first_array);
+    const std::size_t early_end = steps_.size();
+    late = emit(tree, left_first ? n.right : n.left, first_array + (early < 0 ? 1 : 0));
+    if (late < 0) {
+      if (early < 0) steps_[early_end - 1].is_kept = 1;
+      late = kPreviousResult;
+    } else if (early < 0) {
+      early = kPreviousResult;
+    }
   }
   steps_.push_back(step);
   return array_operand(first_array);
@@ -153,6 +164,8 @@ Result<void> MeasuredRows::measure(Device& device, const TreeBatch& batch,
 Result<void> MeasuredRows::measure_part(Device& device, const TreeBatch& batch, const Part& part,
                                         std::span<TreeCounts> counts, std::span<Word> overlaps,
                                         const RunContext& run) const {
+  const std::size_t most_work =
+      device.info().is_accelerator ? kWorkPerAcceleratedLaunch : kWorkPerLaunch;
   DeviceJob job(device);
   const auto steps = job.upload(batch.steps());
   std::vector<TreeCounts> launch_counts;
@@ -162,7 +175,7 @@ Result<void> MeasuredRows::measure_part(Device& device, const TreeBatch& batch, 
     const TreeSpan& begin = batch.trees()[first];
     std::size_t last = first;
     std::size_t work = 0;
-    for (; last < batch.size() && work < kWorkPerLaunch; ++last) {
+    for (; last < batch.size() && work < most_work; ++last) {
       work += static_cast<std::size_t>(batch.trees()[last].steps + 1) * part.words;
     }
     const auto first_overlap = static_cast<std::size_t>(begin.first_overlap);

@@ -6,6 +6,7 @@
 
 #include "core/base/run_context.h"
 #include "core/compute/device.h"
+#include "core/compute/kernels/tree_kernel.h"
 
 namespace hewn {
 

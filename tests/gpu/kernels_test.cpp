@@ -5,11 +5,13 @@
 
 #include "core/compute/signatures.h"
 #include "core/compute/tree_batch.h"
+#include "tests/gpu/random_tree.h"
 #include "tests/gpu/test_device.h"
 
 namespace hewn {
 namespace {
 
+using testing::append_random_tree;
 using testing::device_under_test;
 using testing::plain_device;
 
@@ -132,19 +134,6 @@ std::vector<Word> random_column(std::size_t rows, Rng& rng) {
   return column;
 }
 
-void append_random_tree(std::vector<Token>& out, std::size_t leaves, std::size_t columns,
-                        Rng& rng) {
-  if (leaves == 1) {
-    out.push_back(static_cast<Token>(rng.below(columns)));
-  } else {
-    const std::size_t left = 1 + rng.below(leaves - 1);
-    append_random_tree(out, left, columns, rng);
-    append_random_tree(out, leaves - left, columns, rng);
-    out.push_back(static_cast<Token>(kUnionToken - static_cast<Token>(rng.below(3))));
-  }
-  if (rng.below(5) == 0) out.push_back(kComplementToken);
-}
-
 /// Row by row, with a stack of truth values.
 TreeMeasures measured_plainly(const std::vector<Token>& tree,
                               const std::vector<std::vector<Word>>& columns,
@@ -234,6 +223,53 @@ TEST_CASE("every instruction set measures the same") {
   }
 }
 
+/// What the kernel says of all trees when it runs as on a device of that grain.
+template <class Grain>
+std::vector<Word> measured_by_items(TreeKernel kernel, const TreeBatch& batch) {
+  std::vector<TreeCounts> counts(batch.size());
+  std::vector<Word> found(batch.overlap_words(), 0);
+  kernel.counts = counts.data();
+  kernel.overlaps = found.data();
+  const std::int64_t items = kernel.template items<Grain>();
+  for (std::int64_t i = 0; i < items; ++i) kernel.template run<Grain>(i);
+  for (const TreeCounts& c : counts) {
+    found.push_back(static_cast<Word>(c.held));
+    found.push_back(static_cast<Word>(c.held_wanted));
+  }
+  return found;
+}
+
+TEST_CASE("trees are measured alike in registers and in arrays") {
+  Rng rng(19);
+  constexpr std::size_t kColumns = 10;
+  for (const std::size_t rows : {500, 4096, 9000}) {
+    const std::size_t words = padded_words(rows);
+    std::vector<Word> columns;
+    for (std::size_t k = 0; k < kColumns + 1; ++k) {
+      const std::vector<Word> column = random_column(rows, rng);
+      columns.insert(columns.end(), column.begin(), column.end());
+    }
+    std::vector<Word> all(words, 0);
+    for (std::size_t i = 0; i < rows; ++i) set_bit(all.data(), i);
+    TreeBatch batch;
+    for (int t = 0; t < 50; ++t) {
+      std::vector<Token> tree;
+      append_random_tree(tree, 1 + rng.below(150), kColumns, rng);
+      batch.add(tree);
+    }
+    TreeKernel kernel;
+    kernel.trees = batch.trees().data();
+    kernel.tree_count = static_cast<std::int64_t>(batch.size());
+    kernel.steps = batch.steps().data();
+    kernel.columns = columns.data();
+    kernel.words = static_cast<std::int64_t>(words);
+    kernel.wanted = columns.data() + kColumns * words;
+    kernel.all = all.data();
+    CHECK(measured_by_items<DeviceGrain>(kernel, batch) ==
+          measured_by_items<HostGrain>(kernel, batch));
+  }
+}
+
 TEST_CASE("a tree of any depth fits into the work arrays") {
   const auto device = device_under_test();
   if (!device) return;
@@ -286,6 +322,28 @@ TEST_CASE("2^31 pairs of trees and rows are counted without overflow") {
   for (const TreeMeasures& m : measured) held += static_cast<std::size_t>(m.held);
   CHECK(held == kRows * kTrees);
   CHECK(held > std::size_t{1} << 31);
+}
+
+TEST_CASE("what goes to a device comes back the same, whatever its size") {
+  const auto device = device_under_test();
+  if (!device) return;
+  Rng rng(20);
+  for (const std::size_t words : {std::size_t{1}, std::size_t{524'287}, std::size_t{524'288},
+                                  std::size_t{2'097'152}, std::size_t{7'000'001}}) {
+    std::vector<Word> sent(words);
+    for (Word& w : sent) w = rng.next();
+    const std::vector<Word> original = sent;
+    DeviceJob job(*device);
+    const auto first = job.upload(std::span<const Word>(sent));
+    std::fill(sent.begin(), sent.end(), 0);
+    const auto second = job.upload(std::span<const Word>(sent));
+    std::vector<Word> back(words, 1);
+    job.download(second, std::span<Word>(back));
+    CHECK(back == sent);
+    job.download(first, std::span<Word>(back));
+    REQUIRE(job.result().has_value());
+    CHECK(back == original);
+  }
 }
 
 TEST_CASE("nothing in, nothing out") {

@@ -63,6 +63,8 @@ SamplePart read_sample_part() {
     std::size_t sides = 0;
     std::size_t corner[3] = {0, 0, 0};
     file >> sides >> corner[0] >> corner[1] >> corner[2];
+    part.triangles.push_back(
+        {static_cast<int>(corner[0]), static_cast<int>(corner[1]), static_cast<int>(corner[2])});
     const Vec3& a = part.vertices.at(corner[0]);
     const Vec3 normal =
         (part.vertices.at(corner[1]) - a).cross(part.vertices.at(corner[2]) - a).normalized();

@@ -1,11 +1,13 @@
 #pragma once
 /// The device that a test body runs on.
+#include <array>
 #include <memory>
 #include <vector>
 
 #include "core/base/math.h"
 #include "core/base/rng.h"
 #include "core/compute/cpu_device.h"
+#include "core/compute/kernels/surface_form.h"
 
 namespace hewn::testing {
 
@@ -24,11 +26,11 @@ std::vector<SurfaceForm> random_surfaces(std::size_t count, Rng& rng);
 /// Uniform in the cube [-2, 2]^3.
 std::vector<Vec3> random_points(std::size_t count, Rng& rng);
 
-/// A shipped sample part, as far as these tests need it: vertices and, for each triangle, its
-/// plane.
+/// A shipped sample part, as far as these tests need it.
 struct SamplePart {
   std::vector<Vec3> vertices;
-  std::vector<SurfaceForm> planes;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<SurfaceForm> planes;  ///< of each triangle
 };
 SamplePart read_sample_part();
 

@@ -27,9 +27,10 @@ struct ColumnKernel {
   HEWN_HD void run(std::int64_t item) const {
     const std::int64_t rows = words * 64;
     const std::int64_t groups = rows / Grain::kRows;
-    const SurfaceForm& s = surfaces[item / groups];
-    const std::int64_t row = item % groups * Grain::kRows;
-    Word* column = columns + item / groups * words;
+    const std::int64_t surface = quotient(item, groups);
+    const SurfaceForm& s = surfaces[surface];
+    const std::int64_t row = (item - surface * groups) * Grain::kRows;
+    Word* column = columns + surface * words;
     switch (s.kind) {
       case SurfaceKind::Plane:
         return store_rows<Grain::kRows>(column, row, sides<Grain, SurfaceKind::Plane>(s, row));
@@ -77,8 +78,9 @@ struct TransposeKernel {
 
   template <class Grain>
   HEWN_HD void run(std::int64_t item) const {
-    const std::int64_t point_word = item / stride;
-    const std::int64_t first_column = item % stride * 64;
+    const std::int64_t point_word = quotient(item, stride);
+    const std::int64_t column_word = item - point_word * stride;
+    const std::int64_t first_column = column_word * 64;
     Word block[64];
     for (int k = 0; k < 64; ++k) {
       const std::int64_t column = first_column + k;
@@ -86,7 +88,7 @@ struct TransposeKernel {
     }
     transpose(block);
     for (int r = 0; r < 64 && point_word * 64 + r < points; ++r) {
-      signatures[(point_word * 64 + r) * stride + item % stride] = block[r];
+      signatures[(point_word * 64 + r) * stride + column_word] = block[r];
     }
   }
 

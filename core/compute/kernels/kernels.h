@@ -4,12 +4,25 @@
 ///   run<Grain>(item)  does one; items may run in any order and at the same time
 #include <variant>
 
+#include "core/compute/kernels/boundary_kernel.h"
 #include "core/compute/kernels/cell_kernel.h"
 #include "core/compute/kernels/column_kernel.h"
+#include "core/compute/kernels/flood_kernel.h"
+#include "core/compute/kernels/group_normal_kernel.h"
+#include "core/compute/kernels/surface_score_kernel.h"
 #include "core/compute/kernels/tree_kernel.h"
 
 namespace hewn {
 
-using Kernel = std::variant<ColumnKernel, TransposeKernel, CellKernel, TreeKernel>;
+using AnyKernel =
+    std::variant<ColumnKernel, TransposeKernel, CellKernel, TreeKernel, VertexClassKernel,
+                 BoundaryKernel, GroupNormalKernel, TriangleTensorKernel, SectorTensorKernel,
+                 PrincipalKernel, FloodKernel, SurfaceScoreKernel>;
+
+/// One of them. A type of its own, so that only those who launch kernels need read them all.
+struct Kernel : AnyKernel {
+  using AnyKernel::AnyKernel;
+  const AnyKernel& any() const { return *this; }
+};
 
 }  // namespace hewn

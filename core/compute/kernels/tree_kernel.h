@@ -6,15 +6,19 @@ namespace hewn {
 
 enum class TreeOp : std::uint8_t { Union, Intersection, Difference, Complement };
 
-/// An operand at or above 0 is a column; one below it is work array -1 - operand.
+/// An operand at or above 0 is a column, `kPreviousResult` that of the step before; any other is
+/// work array -1 - operand.
 using TreeOperand = std::int16_t;
+inline constexpr TreeOperand kPreviousResult = -32768;
 
 /// One operation; operands in work arrays may be overwritten by its result. `Complement` is all
 /// rows but `b`, and has no `a`.
-struct TreeStep {
+struct alignas(8) TreeStep {
   TreeOp op = TreeOp::Union;
   std::uint8_t target = 0;  ///< work array
   TreeOperand a = 0, b = 0;
+  /// Whether a later step than the next reads the result: else it need not leave the registers.
+  std::uint8_t is_kept = 0;
 };
 
 struct TreeSpan {
@@ -58,18 +62,75 @@ struct TreeKernel {
 
   template <class Grain>
   HEWN_HD void run(std::int64_t item) const {
-    const std::int64_t index = item / Grain::kGroup % tree_count;
-    const std::int64_t group = item / Grain::kGroup / tree_count;
+    const std::int64_t group = quotient(item / Grain::kGroup, tree_count);
+    const std::int64_t index = item / Grain::kGroup - group * tree_count;
     const std::int64_t begin = (group * Grain::kGroup + item % Grain::kGroup) * Grain::kWords;
     if (begin >= words) return;
-    const TreeSpan& tree = trees[index];
-    const int length = Grain::kWords == Grain::kBlock || words - begin >= Grain::kWords
-                           ? Grain::kWords
-                           : static_cast<int>(words - begin);
-    Word work[kWorkArrays * Grain::kWords];
+    if constexpr (Grain::kWords == Grain::kBlock) {
+      run_in_registers<Grain::kWords>(trees[index], begin, counts[index]);
+    } else {
+      run_in_arrays<Grain>(trees[index], begin, counts[index]);
+    }
+  }
+
+ private:
+  /// For few words: the last result stays at hand, and steps do without branches where they can.
+  template <int kWords>
+  HEWN_HD void run_in_registers(const TreeSpan& tree, std::int64_t begin, TreeCounts& out) const {
+    alignas(16) Word work[kWorkArrays][kWords];
+    alignas(16) Word last[kWords] = {};
+    alignas(16) Word a[kWords];
+    alignas(16) Word b[kWords];
+    const auto fetch = [&](TreeOperand operand, Word* to) {
+      if (operand >= 0) {
+        const std::int64_t offset =
+            static_cast<std::int64_t>(operand) * static_cast<std::int32_t>(words);
+        copy_words<kWords>(to, columns + begin + offset);
+      } else if (operand == kPreviousResult) {
+        for (int i = 0; i < kWords; ++i) to[i] = last[i];
+      } else {
+        copy_words<kWords>(to, work[-1 - operand]);
+      }
+    };
+    const TreeStep* const first = steps + tree.first_step;
+    Word overlapping = 0;
+    for (std::int32_t i = 0; i < tree.steps; ++i) {
+      const TreeStep step = load(first + i);
+      const bool is_complement = step.op == TreeOp::Complement;
+      if (is_complement) {
+        copy_words<kWords>(a, all + begin);
+      } else {
+        fetch(step.a, a);
+      }
+      fetch(step.b, b);
+      // a u b = not (not a and not b), a - b = a and not b.
+      const Word turn_a = step.op == TreeOp::Union ? ~Word{0} : 0;
+      const Word turn_b = step.op == TreeOp::Intersection ? 0 : ~Word{0};
+      Word common = 0;
+      for (int k = 0; k < kWords; ++k) {
+        common |= a[k] & b[k];
+        last[k] = ((a[k] ^ turn_a) & (b[k] ^ turn_b)) ^ turn_a;
+      }
+      if (step.is_kept != 0) copy_words<kWords>(work[step.target], last);
+      if (common != 0 && !is_complement) overlapping |= Word{1} << (i & 63);
+      if ((i & 63) != 63 && i + 1 != tree.steps) continue;
+      unite_into(overlaps + (tree.first_overlap - overlaps_begin) + (i >> 6), overlapping);
+      overlapping = 0;
+    }
+    fetch(tree.value, a);
+    count(a, begin, kWords, out);
+  }
+
+  /// For many words: each step runs over all of them.
+  template <class Grain>
+  HEWN_HD void run_in_arrays(const TreeSpan& tree, std::int64_t begin, TreeCounts& out) const {
+    const int length =
+        words - begin >= Grain::kWords ? Grain::kWords : static_cast<int>(words - begin);
+    alignas(Grain::kBlock * sizeof(Word)) Word work[kWorkArrays * Grain::kWords];
+    const Word* last = nullptr;
     const auto place = [&](TreeOperand operand) -> const Word* {
-      return operand >= 0 ? columns + operand * words + begin
-                          : work + (-1 - operand) * Grain::kWords;
+      if (operand >= 0) return columns + operand * words + begin;
+      return operand == kPreviousResult ? last : work + (-1 - operand) * Grain::kWords;
     };
     Word overlapping = 0;
     for (std::int32_t i = 0; i < tree.steps; ++i) {
@@ -79,14 +140,14 @@ struct TreeKernel {
       if (apply<Grain>(step.op, a, place(step.b), target, length)) {
         overlapping |= Word{1} << (i & 63);
       }
+      last = target;
       if ((i & 63) != 63 && i + 1 != tree.steps) continue;
       unite_into(overlaps + (tree.first_overlap - overlaps_begin) + (i >> 6), overlapping);
       overlapping = 0;
     }
-    count<Grain>(place(tree.value), begin, length, counts[index]);
+    count(place(tree.value), begin, length, out);
   }
 
- private:
   /// Whether the operands have a row in common.
   template <class Grain>
   static HEWN_HD bool apply(TreeOp op, const Word* a, const Word* b, Word* out, int length) {
@@ -121,7 +182,6 @@ struct TreeKernel {
     return any != 0;
   }
 
-  template <class Grain>
   HEWN_HD void count(const Word* value, std::int64_t begin, int length, TreeCounts& out) const {
     int held = 0;
     int held_wanted = 0;

@@ -4,7 +4,6 @@
 #include <map>
 #include <utility>
 
-#include "core/segment/curvature/flood_regions.h"
 #include "core/segment/curvature/resolve_regions.h"
 #include "core/segment/facets.h"
 #include "core/segment/segment.h"
@@ -17,15 +16,13 @@ namespace {
 Result<std::vector<FittedRegion>> fit_flooded(const CurvatureStages& stages,
                                               const CurvatureOptions& options,
                                               const RunContext& run) {
-  const auto labels = flood_regions(stages.topology, stages.boundaries, stages.classes, run);
-  if (!labels) return labels.error();
   std::map<int, std::vector<int>> triangles_of_label;
-  for (int t = 0; t < static_cast<int>(labels->size()); ++t) {
-    if ((*labels)[t] >= 0) triangles_of_label[(*labels)[t]].push_back(t);
+  for (int t = 0; t < static_cast<int>(stages.labels.size()); ++t) {
+    if (stages.labels[t] >= 0) triangles_of_label[stages.labels[t]].push_back(t);
   }
   const FitLimits limits = fit_limits(stages.mesh, options);
   std::vector<FittedRegion> regions;
-  std::vector<bool> is_unexplained(labels->size(), false);
+  std::vector<bool> is_unexplained(stages.labels.size(), false);
   for (auto& [label, triangles] : triangles_of_label) {
     if (run.is_cancelled()) return RunContext::cancelled();
     const auto surface = fit_primitive(stages.mesh, triangles, stages.classes[label], limits);
@@ -49,24 +46,15 @@ Result<Segmentation> segment_by_curvature(const Mesh& mesh, const CurvatureOptio
     return Error{ErrorCode::BadMesh, "the mesh has no triangle with an area; check its file"};
   }
   run.report("classify curvature", 0);
-  const TriangleTopology topology = build_topology(mesh);
-  const auto vertices = classify_vertices(mesh, topology, options, run);
-  if (!vertices) return vertices.error();
-  const Boundaries boundaries = find_boundaries(mesh, topology, *vertices, options);
-  const auto normals = compute_group_normals(mesh, topology, boundaries, options, run);
-  if (!normals) return normals.error();
+  const auto stages = compute_stages(mesh, options, run);
+  if (!stages) return stages.error();
   run.report("classify curvature", 0.5);
-  const auto curvatures = compute_principal_curvatures(mesh, topology, *normals, run);
-  if (!curvatures) return curvatures.error();
-  const std::vector<CurvatureClass> classes = classify_triangles(mesh, *curvatures, options);
-
-  const CurvatureStages stages{mesh, topology, boundaries, *curvatures, classes};
   const bool does_flood = options.growth == static_cast<int>(RegionGrowth::Flood);
   const std::vector<bool> everything(mesh.triangles.size(), true);
-  const auto regions = does_flood ? fit_flooded(stages, options, run)
-                                  : grow_fitted_regions(stages, everything, options, run);
+  const auto regions = does_flood ? fit_flooded(*stages, options, run)
+                                  : grow_fitted_regions(*stages, everything, options, run);
   if (!regions) return regions.error();
-  return resolve_regions(stages, *regions, options, run);
+  return resolve_regions(*stages, *regions, options, run);
 }
 
 Result<Segmentation> segment_by_curvature(const Mesh& mesh, const SegmentOptions& options,

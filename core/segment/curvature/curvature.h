@@ -1,8 +1,6 @@
 #pragma once
 /// Segmentation into face groups by curvature (Stroeter et al. 2026, section "Segmentation into
-/// Face Groups"). One file for each stage, in this order: classify_vertices, boundaries,
-/// group_normals, principal_curvatures, classify_triangles, flood_regions or fit_regions,
-/// resolve_regions.
+/// Face Groups"). In this order: stages (on the device that suits), fit_regions, resolve_regions.
 #include "core/base/result.h"
 #include "core/base/run_context.h"
 #include "core/fit/face_groups.h"

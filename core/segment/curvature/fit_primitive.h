@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/csg/surface.h"
-#include "core/segment/curvature/classify_triangles.h"
+#include "core/segment/curvature/stages.h"
 
 namespace hewn {
 

@@ -6,15 +6,6 @@
 
 namespace hewn {
 
-/// Everything that the earlier stages found out about a mesh. Refers to, never owns.
-struct CurvatureStages {
-  const Mesh& mesh;
-  const TriangleTopology& topology;
-  const Boundaries& boundaries;
-  const std::vector<PrincipalCurvatures>& curvatures;
-  const std::vector<CurvatureClass>& classes;
-};
-
 /// Triangles that one primitive explains. Regions may overlap.
 struct FittedRegion {
   Surface surface;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/compute/parallel.h"
 #include "core/mesh/sampling.h"
 #include "core/sample/sample_table.h"
 #include "core/synth/evolve/breeding.h"
@@ -29,19 +28,14 @@ struct Creature {
 
 class SurfaceEvolution {
  public:
-  SurfaceEvolution(const SurfaceFitness& fitness, const EvolveOptions& options,
-                   const RunContext& run)
-      : fitness_(fitness),
-        options_(options),
-        run_(run),
-        rng_(run.seed, kEvolveStream),
-        scratch_(static_cast<std::size_t>(worker_count(run.threads))) {
+  SurfaceEvolution(SurfaceFitness& fitness, const EvolveOptions& options, const RunContext& run)
+      : fitness_(fitness), options_(options), run_(run), rng_(run.seed, kEvolveStream) {
     const auto n = static_cast<double>(std::max<std::size_t>(2, fitness.samples()));
     node_cost_ = options.size_penalty * std::log(n) / (2 * n);
   }
 
   /// Every combination of one or two primitives.
-  Genome enumerate() {
+  Result<Genome> enumerate() {
     std::vector<Creature> all = {creature({0})};
     if (fitness_.primitives() == 2) {
       all.push_back(creature({1}));
@@ -50,7 +44,7 @@ class SurfaceEvolution {
       }
       all.push_back(creature({1, 0, kDifferenceToken}));
     }
-    judge(all);
+    if (const auto judged = judge(all); !judged) return judged.error();
     return std::max_element(all.begin(), all.end(), by_score)->genome;
   }
 
@@ -61,7 +55,7 @@ class SurfaceEvolution {
     for (int i = 0; i < options_.population; ++i) {
       population_.push_back(creature(random_genome(fitness_.primitives(), largest, rng_)));
     }
-    judge(population_);
+    if (const auto judged = judge(population_); !judged) return judged.error();
     double best = -kInfinity;
     int idle = 0;
     for (int i = 0; i < options_.iterations && idle < options_.most_idle; ++i, ++idle) {
@@ -75,7 +69,7 @@ class SurfaceEvolution {
         idle = 0;
       }
       if (population_[0].fit >= options_.enough) break;
-      breed(breeder);
+      if (const auto judged = breed(breeder); !judged) return judged.error();
     }
     return std::max_element(population_.begin(), population_.end(), by_score)->genome;
   }
@@ -90,31 +84,34 @@ class SurfaceEvolution {
   }
   static bool by_score(const Creature& a, const Creature& b) { return a.score < b.score; }
 
-  void judge(std::span<Creature> creatures) {
+  Result<void> judge(std::span<Creature> creatures) {
+    std::vector<const Genome*> genomes;
+    for (const Creature& c : creatures) genomes.push_back(&c.genome);
+    const auto fits = fitness_.measure(genomes, run_);
+    if (!fits) return fits.error();
+    for (std::size_t i = 0; i < creatures.size(); ++i) {
+      Creature& c = creatures[i];
+      c.fit = (*fits)[i];
+      c.score = c.fit - node_cost_ * static_cast<double>(c.genome.size());
+    }
     evaluations_ += static_cast<long>(creatures.size());
-    for_each_with_worker(run_.threads, scratch_.size(), creatures.size(),
-                         [&](std::size_t worker, std::size_t i) {
-                           Creature& c = creatures[i];
-                           c.fit = fitness_.score(c.genome, scratch_[worker]);
-                           c.score = c.fit - node_cost_ * static_cast<double>(c.genome.size());
-                         });
+    return {};
   }
 
-  void breed(const Breeder& breeder) {
+  Result<void> breed(const Breeder& breeder) {
     const auto elite = std::min<std::ptrdiff_t>(options_.elite, options_.population);
     std::vector<Creature> next(population_.begin(), population_.begin() + elite);
     while (next.size() < population_.size()) {
       next.push_back(creature(breeder.child_of(population_, rng_)));
     }
     population_ = std::move(next);
-    judge(std::span(population_).subspan(static_cast<std::size_t>(elite)));
+    return judge(std::span(population_).subspan(static_cast<std::size_t>(elite)));
   }
 
-  const SurfaceFitness& fitness_;
+  SurfaceFitness& fitness_;
   const EvolveOptions& options_;
   const RunContext& run_;
   Rng rng_;
-  std::vector<SurfaceFitness::Scratch> scratch_;
   double node_cost_ = 0;
   std::vector<Creature> population_;
   long evaluations_ = 0;
@@ -244,10 +241,10 @@ Result<TreeAnswer> evolve_tree(const TreeProblem& problem, const EvolveOptions& 
   const double degree = kPi / 180;
   const SurfaceReach reach{options.distance * problem.query->mesh().diagonal(),
                            options.angle_deg * degree};
-  const SurfaceFitness fitness(primitives, samples, reach, run);
+  SurfaceFitness fitness(primitives, samples, reach, run);
   SurfaceEvolution evolution(fitness, options, run);
   const bool are_few = primitives.size() <= 2;
-  const Result<Genome> best = are_few ? Result<Genome>(evolution.enumerate()) : evolution.run();
+  const Result<Genome> best = are_few ? evolution.enumerate() : evolution.run();
   if (!best) return best.error();
   TreeAnswer answer;
   answer.tree = tree_of(*best, primitives);

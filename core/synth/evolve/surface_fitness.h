@@ -1,11 +1,12 @@
 #pragma once
 /// How well a tree over solids fits a surface: distances and normals at points of it (Fayolle and
 /// Pasko 2016).
-#include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "core/base/run_context.h"
+#include "core/compute/compute.h"
+#include "core/compute/surface_scores.h"
 #include "core/fit/bounded.h"
 #include "core/synth/evolve/genome.h"
 
@@ -24,37 +25,27 @@ struct SurfaceReach {
 };
 
 /// Distances and normals of every primitive at every sample, computed once; trees then only choose
-/// among them. Thread-safe.
+/// among them, a whole generation at a time, on the device that suits. For one thread.
 class SurfaceFitness {
  public:
-  /// Scratch memory of one thread.
-  struct Scratch {
-    std::vector<float> distances;
-    std::vector<std::int16_t> sources;
-  };
-
-  /// Cost: O(samples x primitives) distances, shared by all workers.
+  /// Scores on `compute_of(run)`. Cost: O(samples x primitives) distances, shared by all workers.
   SurfaceFitness(std::span<const BoundedPrimitive> primitives,
                  std::span<const SurfaceSample> samples, const SurfaceReach& reach,
                  const RunContext& run);
 
-  int primitives() const { return static_cast<int>(primitives_); }
-  std::size_t samples() const { return samples_; }
+  int primitives() const { return static_cast<int>(scores_.primitives()); }
+  std::size_t samples() const { return scores_.samples(); }
 
-  /// The mean over the samples of exp(-(distance / reach)^2) and the same of the angle, in [0, 1].
-  /// Tokens are indices of primitives. Cost: O(nodes x samples).
-  double score(const Genome& genome, Scratch& scratch) const;
+  /// For each genome, whose tokens are indices of primitives, the mean over the samples of
+  /// exp(-(distance / reach)^2) and the same of the angle, in [0, 1]; the same on every device.
+  /// Fails with: Cancelled. Cost: O(nodes x samples), shared by all workers.
+  Result<std::vector<double>> measure(std::span<const Genome* const> genomes,
+                                      const RunContext& run);
 
  private:
-  std::size_t at(std::size_t primitive, std::size_t sample) const {
-    return primitive * samples_ + sample;
-  }
-
-  std::size_t primitives_, samples_;
-  double reach_;
-  std::vector<float> distances_;     ///< by primitive, then by sample
-  std::vector<float> angle_score_;   ///< of the primitive's own normal
-  std::vector<float> turned_score_;  ///< of the opposite normal
+  std::shared_ptr<Compute> compute_;
+  SurfaceScores scores_;
+  TreeBatch batch_;
 };
 
 }  // namespace hewn

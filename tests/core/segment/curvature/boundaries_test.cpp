@@ -1,5 +1,3 @@
-#include "core/segment/curvature/boundaries.h"
-
 #include <doctest/doctest.h>
 
 #include "tests/core/segment/curvature/stages.h"
@@ -17,13 +15,13 @@ int marked_sides(const Boundaries& boundaries) {
 }
 
 TEST_CASE("exactly the edges of a box are marked, from both sides") {
-  const Stages s = run_stages(solids::box({0, 0, 0}, {1, 2, 3}, 4));
+  const CurvatureStages s = run_stages(solids::box({0, 0, 0}, {1, 2, 3}, 4));
   CHECK(marked_sides(s.boundaries) == 2 * 12 * 4);
 }
 
 TEST_CASE("three groups meet at a box's corner, two at its edges, one on its sides") {
   const Mesh mesh = solids::box({0, 0, 0}, {1, 1, 1}, 2);
-  const Stages s = run_stages(mesh);
+  const CurvatureStages s = run_stages(mesh);
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     const Vec3 off_centre = (mesh.vertices[v] - Vec3::Constant(0.5)).cwiseAbs();
     const int on_sides = static_cast<int>((off_centre.array() == 0.5).count());
@@ -32,7 +30,7 @@ TEST_CASE("three groups meet at a box's corner, two at its edges, one on its sid
 }
 
 TEST_CASE("the facets of a cylinder's flank are not separated") {
-  const Stages s = run_stages(solids::cylinder(1, 2, 36, 1));
+  const CurvatureStages s = run_stages(solids::cylinder(1, 2, 36, 1));
   CHECK(marked_sides(s.boundaries) == 2 * 2 * 36);
 }
 

@@ -1,5 +1,3 @@
-#include "core/segment/curvature/classify_vertices.h"
-
 #include <doctest/doctest.h>
 
 #include "tests/core/segment/curvature/stages.h"
@@ -16,7 +14,7 @@ int extremes(const Vec3& p, const Box3& box) {
 
 TEST_CASE("a box has faces on its sides, ridges on its edges and corners at its corners") {
   const Mesh mesh = solids::box({0, 0, 0}, {1, 2, 3}, 4);
-  const Stages s = run_stages(mesh);
+  const CurvatureStages s = run_stages(mesh);
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     const VertexClass expected[] = {VertexClass::Face, VertexClass::Face, VertexClass::Ridge,
                                     VertexClass::Corner};
@@ -34,7 +32,7 @@ TEST_CASE("the classes do not depend on position, rotation and size") {
 
 TEST_CASE("the rim of a cylinder is a ridge, its flank is a face") {
   const Mesh mesh = solids::cylinder(1, 2, 48, 4);
-  const Stages s = run_stages(mesh);
+  const CurvatureStages s = run_stages(mesh);
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     const Vec3& p = mesh.vertices[v];
     const bool is_rim = p.head<2>().norm() > 0.5 && (p.z() == 0 || p.z() == 2);
@@ -44,7 +42,7 @@ TEST_CASE("the rim of a cylinder is a ridge, its flank is a face") {
 
 TEST_CASE("the apex of a sharp cone is a corner") {
   const Mesh mesh = solids::cone(1, 0, 3, 48, 4);
-  const Stages s = run_stages(mesh);
+  const CurvatureStages s = run_stages(mesh);
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     if (mesh.vertices[v].z() == 3) CHECK(s.vertices[v] == VertexClass::Corner);
   }
@@ -59,7 +57,7 @@ TEST_CASE("two planes meet in a ridge only above the ridge angle") {
                   {{0, 1, 3}, {1, 2, 3}, {1, 0, 4}, {2, 1, 4}});
     CurvatureOptions options;
     options.ridge_angle_deg = 30;
-    return (*classify_vertices(mesh, build_topology(mesh), options, {}))[1];
+    return run_stages(mesh, options).vertices[1];
   };
   CHECK(roof_class(29) == VertexClass::Face);
   CHECK(roof_class(31) == VertexClass::Ridge);
@@ -69,7 +67,7 @@ TEST_CASE("a cancelled run reports so") {
   RunContext run;
   run.cancel->cancel();
   const Mesh mesh = solids::box({0, 0, 0}, {1, 1, 1});
-  const auto result = classify_vertices(mesh, build_topology(mesh), {}, run);
+  const auto result = compute_stages(mesh, {}, run);
   REQUIRE_FALSE(result.has_value());
   CHECK(result.error().code == ErrorCode::Cancelled);
 }

@@ -12,11 +12,10 @@ namespace {
 
 std::vector<FittedRegion> grow(const Mesh& mesh, std::uint64_t seed,
                                const std::vector<bool>& is_candidate) {
-  const Stages s = run_stages(mesh);
-  const CurvatureStages stages{mesh, s.topology, s.boundaries, s.curvatures, s.triangles};
+  const CurvatureStages s = run_stages(mesh);
   RunContext run;
   run.seed = seed;
-  return *grow_fitted_regions(stages, is_candidate, {}, run);
+  return *grow_fitted_regions(s, is_candidate, {}, run);
 }
 
 std::vector<bool> all_of(const Mesh& mesh) {

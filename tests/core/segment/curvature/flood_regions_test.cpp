@@ -1,5 +1,3 @@
-#include "core/segment/curvature/flood_regions.h"
-
 #include <set>
 
 #include <doctest/doctest.h>
@@ -11,7 +9,7 @@ namespace hewn {
 namespace {
 
 std::size_t region_count(const Mesh& mesh) {
-  const Stages s = run_stages(mesh);
+  const CurvatureStages s = run_stages(mesh);
   return std::set<int>(s.labels.begin(), s.labels.end()).size();
 }
 
@@ -23,14 +21,14 @@ TEST_CASE("simple solids fall apart into their faces") {
 
 TEST_CASE("a label is the lowest index of a connected region of one class") {
   const Mesh mesh = solids::capsule(1, 4, 48, 12);
-  const Stages s = run_stages(mesh);
+  const CurvatureStages s = run_stages(mesh);
   for (int t = 0; t < static_cast<int>(s.labels.size()); ++t) {
     CHECK(s.labels[t] <= t);
     CHECK(s.labels[s.labels[t]] == s.labels[t]);
-    CHECK(s.triangles[s.labels[t]] == s.triangles[t]);
+    CHECK(s.classes[s.labels[t]] == s.classes[t]);
     for (int k = 0; k < 3; ++k) {
       const int other = s.topology.neighbors[t][k];
-      const bool is_joined = !s.boundaries.is_marked[t][k] && s.triangles[other] == s.triangles[t];
+      const bool is_joined = !s.boundaries.is_marked[t][k] && s.classes[other] == s.classes[t];
       if (is_joined) CHECK(s.labels[other] == s.labels[t]);
     }
   }
@@ -40,13 +38,13 @@ TEST_CASE("a region of many triangles in a row gets one label") {
   const Mesh mesh = solids::cylinder(1, 100, 12, 2000);
   CurvatureOptions options;
   options.ridge_angle_deg = 45;
-  const Stages s = run_stages(mesh, options);
+  const CurvatureStages s = run_stages(mesh, options);
   CHECK(std::set<int>(s.labels.begin(), s.labels.end()).size() == 3);
 }
 
 TEST_CASE("triangles without area belong to no region") {
   const Mesh mesh = make_mesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
-  const Stages s = run_stages(mesh);
+  const CurvatureStages s = run_stages(mesh);
   CHECK(s.labels[0] == -1);
   CHECK(s.labels[1] == 1);
 }

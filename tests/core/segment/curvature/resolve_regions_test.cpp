@@ -11,9 +11,8 @@ namespace hewn {
 namespace {
 
 Segmentation resolve(const Mesh& mesh, const std::vector<FittedRegion>& regions) {
-  const Stages s = run_stages(mesh);
-  const CurvatureStages stages{mesh, s.topology, s.boundaries, s.curvatures, s.triangles};
-  return *resolve_regions(stages, regions, {}, {});
+  const CurvatureStages s = run_stages(mesh);
+  return *resolve_regions(s, regions, {}, {});
 }
 
 Surface level(double z) {

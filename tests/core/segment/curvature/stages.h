@@ -1,31 +1,16 @@
 #pragma once
-/// Runs the stages of segmentation by curvature one after the other, for tests of each.
-#include "core/segment/curvature/flood_regions.h"
+/// All stages of segmentation by curvature, for tests of each.
+#include "core/segment/curvature/stages.h"
 
 namespace hewn {
 
-struct Stages {
-  TriangleTopology topology;
-  std::vector<VertexClass> vertices;
-  Boundaries boundaries;
-  GroupNormals normals;
-  std::vector<PrincipalCurvatures> curvatures;
-  std::vector<CurvatureClass> triangles;
-  std::vector<int> labels;
-};
-
-inline Stages run_stages(const Mesh& mesh, const CurvatureOptions& options = {}, int threads = 1) {
+/// Requires: `mesh` outlives the result where a test goes on with its regions.
+inline CurvatureStages run_stages(const Mesh& mesh, CurvatureOptions options = {},
+                                  int threads = 1) {
   RunContext run;
   run.threads = threads;
-  Stages s;
-  s.topology = build_topology(mesh);
-  s.vertices = *classify_vertices(mesh, s.topology, options, run);
-  s.boundaries = find_boundaries(mesh, s.topology, s.vertices, options);
-  s.normals = *compute_group_normals(mesh, s.topology, s.boundaries, options, run);
-  s.curvatures = *compute_principal_curvatures(mesh, s.topology, s.normals, run);
-  s.triangles = classify_triangles(mesh, s.curvatures, options);
-  s.labels = *flood_regions(s.topology, s.boundaries, s.triangles, run);
-  return s;
+  options.growth = static_cast<int>(RegionGrowth::Flood);
+  return *compute_stages(mesh, options, run, KeptStages::All);
 }
 
 /// Triangles whose three corners all have a height strictly between the two.

@@ -1,0 +1,110 @@
+#pragma once
+/// Many trees over solids at once: how well does each fit a sampled surface?
+#include "core/compute/kernels/tree_kernel.h"
+
+namespace hewn {
+
+/// The total score of each tree's surface (Fayolle and Pasko 2016). At every sample the tree's
+/// distance and normal are those of one of its primitives, perhaps turned inside out; bottom-up it
+/// becomes known which, and that primitive's score, computed beforehand, is the tree's. Scores are
+/// integers, so that sums come out the same in any order.
+///
+/// One item is one tree at `kSamples` samples. Cost: trees x steps x samples.
+struct SurfaceScoreKernel {
+  const TreeSpan* trees = nullptr;
+  std::int64_t tree_count = 0;
+  const TreeStep* steps = nullptr;        ///< operands are primitives instead of columns
+  std::int64_t samples = 0;               ///< a multiple of `kSampleBlock`; the padding scores 0
+  const float* distances = nullptr;       ///< by primitive, then by sample
+  const std::uint32_t* scores = nullptr;  ///< as it is and turned, by primitive, then by sample
+  std::uint64_t* totals = nullptr;        ///< out, one a tree; 0 at first
+
+  static constexpr std::int64_t kSampleBlock = 64;
+  static constexpr std::uint32_t kLargestScore = std::uint32_t{1} << 25;
+
+  template <class Grain>
+  HEWN_HD std::int64_t items() const {
+    constexpr std::int64_t kGroupSamples = Grain::kSamples * Grain::kGroup;
+    return (samples + kGroupSamples - 1) / kGroupSamples * Grain::kGroup * tree_count;
+  }
+
+  template <class Grain>
+  HEWN_HD void run(std::int64_t item) const {
+    const std::int64_t group = quotient(item / Grain::kGroup, tree_count);
+    const std::int64_t index = item / Grain::kGroup - group * tree_count;
+    const std::int64_t row = (group * Grain::kGroup + item % Grain::kGroup) * Grain::kSamples;
+    if (row >= samples) return;
+    const TreeSpan& tree = trees[index];
+    Sides<Grain::kSamples> work[TreeKernel::kWorkArrays];
+    Sides<Grain::kSamples> last, b;
+    for (std::int32_t i = 0; i < tree.steps; ++i) {
+      const TreeStep step = load(steps + tree.first_step + i);
+      fetch(step.b, row, work, last, b);
+      if (step.op == TreeOp::Difference || step.op == TreeOp::Complement) b.turn();
+      if (step.op == TreeOp::Complement) {
+        last = b;
+      } else {
+        if (step.a != kPreviousResult) fetch(step.a, row, work, last, last);
+        if (step.op == TreeOp::Union) {
+          last.keep_lower(b);
+        } else {
+          last.keep_higher(b);
+        }
+      }
+      if (step.is_kept != 0) work[step.target] = last;
+    }
+    fetch(tree.value, row, work, last, b);
+    std::uint32_t total = 0;
+    for (int r = 0; r < Grain::kSamples; ++r) total += scores[b.source[r] * samples + row + r];
+    sum_into(totals + index, total);
+  }
+
+ private:
+  /// Distances at some samples, and what decides there: twice the primitive's number, plus one
+  /// where it is turned inside out.
+  template <int kRows>
+  struct Sides {
+    float distance[kRows];
+    std::int16_t source[kRows];
+
+    HEWN_HD void turn() {
+      for (int r = 0; r < kRows; ++r) {
+        distance[r] = -distance[r];
+        source[r] = static_cast<std::int16_t>(source[r] ^ 1);
+      }
+    }
+    HEWN_HD void keep_lower(const Sides& o) {
+      for (int r = 0; r < kRows; ++r) {
+        source[r] = o.distance[r] < distance[r] ? o.source[r] : source[r];
+        distance[r] = o.distance[r] < distance[r] ? o.distance[r] : distance[r];
+      }
+    }
+    HEWN_HD void keep_higher(const Sides& o) {
+      for (int r = 0; r < kRows; ++r) {
+        source[r] = o.distance[r] > distance[r] ? o.source[r] : source[r];
+        distance[r] = o.distance[r] > distance[r] ? o.distance[r] : distance[r];
+      }
+    }
+  };
+
+  template <int kRows>
+  HEWN_HD void fetch(TreeOperand operand, std::int64_t row, const Sides<kRows>* work,
+                     const Sides<kRows>& last, Sides<kRows>& to) const {
+    if (operand == kPreviousResult) {
+      to = last;
+    } else if (operand < 0) {
+      to = work[-1 - operand];
+    } else {
+      const float* own =
+          distances + static_cast<std::int64_t>(operand) * static_cast<std::int32_t>(samples);
+      // Devices move 16 bytes at a time when they know that they may.
+      const auto* from = static_cast<const float*>(__builtin_assume_aligned(own + row, 16));
+      for (int r = 0; r < kRows; ++r) {
+        to.distance[r] = from[r];
+        to.source[r] = static_cast<std::int16_t>(2 * operand);
+      }
+    }
+  }
+};
+
+}  // namespace hewn
