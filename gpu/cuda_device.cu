@@ -20,12 +20,12 @@ constexpr int kLeastMinor = 5;
 
 /// Every item of a kernel. Warps stay whole: the stride and all kernels' numbers of items that need
 /// it are multiples of 32.
-template <class K>
+template <class Grain, class K>
 __global__ void __launch_bounds__(kThreadsPerBlock) run_items(const K kernel, std::int64_t items) {
   const std::int64_t stride = static_cast<std::int64_t>(gridDim.x) * blockDim.x;
   for (std::int64_t i = static_cast<std::int64_t>(blockIdx.x) * blockDim.x + threadIdx.x; i < items;
        i += stride) {
-    kernel.template run<DeviceGrain>(i);
+    kernel.template run<Grain>(i);
   }
 }
 
@@ -92,12 +92,23 @@ class CudaDevice final : public Device {
  private:
   template <class K>
   void start(const K& kernel) const {
-    const std::int64_t items = kernel.template items<DeviceGrain>();
+    start_with<DeviceGrain>(kernel);
+  }
+  void start(const TreeKernel& kernel) const {
+    // Only whole warps of the wide kind are worth it.
+    constexpr int kWideWords = WideDeviceGrain::kWords * WideDeviceGrain::kGroup;
+    if (kernel.words % kWideWords == 0) return start_with<WideDeviceGrain>(kernel);
+    start_with<DeviceGrain>(kernel);
+  }
+
+  template <class Grain, class K>
+  void start_with(const K& kernel) const {
+    const std::int64_t items = kernel.template items<Grain>();
     if (items == 0) return;
     const std::int64_t blocks =
         std::min<std::int64_t>(most_blocks_, (items + kThreadsPerBlock - 1) / kThreadsPerBlock);
-    run_items<<<static_cast<unsigned>(blocks), kThreadsPerBlock, 0, cudaStreamPerThread>>>(kernel,
-                                                                                           items);
+    run_items<Grain><<<static_cast<unsigned>(blocks), kThreadsPerBlock, 0, cudaStreamPerThread>>>(
+        kernel, items);
   }
 
   /// Threads have a current device each.

@@ -5,8 +5,10 @@
 #include <CLI/CLI.hpp>
 
 #include "app/hewn-studio/window.h"
+#include "app/keep_freed_memory.h"
 
 int main(int argc, char** argv) {
+  hewn::keep_freed_memory();
   CLI::App app{"Hewn Studio: cut, select and partition a mesh, and watch its CSG tree appear."};
   app.set_version_flag("--version", "hewn-studio " HEWN_VERSION);
   hewn::WindowOptions options;

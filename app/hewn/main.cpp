@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "app/hewn/commands.h"
+#include "app/keep_freed_memory.h"
 #include "core/compute/compute.h"
 #include "gpu/cuda_device.h"
 
@@ -70,6 +71,7 @@ ExitCode run_command(const Command& command, const RunFlags& flags) {
 }  // namespace hewn
 
 int main(int argc, char** argv) {
+  hewn::keep_freed_memory();
   CLI::App app{"Turns triangle meshes of CAD parts back into small, exact, editable CSG trees."};
   app.set_version_flag("--version", "hewn " HEWN_VERSION);
   app.require_subcommand(1);

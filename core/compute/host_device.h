@@ -29,6 +29,11 @@ struct DeviceGrain {
   static constexpr int kSamples = 4;
   static constexpr int kGroup = 32;  ///< a warp
 };
+/// For kernels that spend more on each item than on its words, where there are words enough.
+struct WideDeviceGrain : DeviceGrain {
+  static constexpr int kWords = 4;
+  static constexpr int kBlock = 4;
+};
 
 HEWN_HD int count_bits(Word word) {
 #if defined(__CUDA_ARCH__)
@@ -44,6 +49,17 @@ HEWN_HD std::int64_t quotient(std::int64_t a, std::int64_t b) {
   if (((a | b) >> 32) == 0) return static_cast<unsigned>(a) / static_cast<unsigned>(b);
 #endif
   return a / b;
+}
+
+/// a * b. GPUs multiply 64-bit numbers slowly.
+HEWN_HD std::int64_t wide_product(std::int32_t a, std::int32_t b) {
+#if defined(__CUDA_ARCH__)
+  long long product;
+  asm("mul.wide.s32 %0, %1, %2;" : "=l"(product) : "r"(a), "r"(b));
+  return product;
+#else
+  return static_cast<std::int64_t>(a) * b;
+#endif
 }
 
 /// *from, in one step. Requires: 8 bytes, aligned to their size.

@@ -174,7 +174,7 @@ TEST_CASE("trees hold the rows that a row-by-row evaluation finds") {
   const auto device = device_under_test();
   if (!device) return;
   Rng rng(14);
-  for (const std::size_t rows : {1, 64, 129, 1000, 9000}) {
+  for (const std::size_t rows : {1, 64, 129, 1000, 8192, 9000}) {
     std::vector<std::vector<Word>> columns;
     for (int k = 0; k < 12; ++k) columns.push_back(random_column(rows, rng));
     const std::vector<Word> wanted = random_column(rows, rng);
@@ -265,8 +265,9 @@ TEST_CASE("trees are measured alike in registers and in arrays") {
     kernel.words = static_cast<std::int64_t>(words);
     kernel.wanted = columns.data() + kColumns * words;
     kernel.all = all.data();
-    CHECK(measured_by_items<DeviceGrain>(kernel, batch) ==
-          measured_by_items<HostGrain>(kernel, batch));
+    const std::vector<Word> expected = measured_by_items<HostGrain>(kernel, batch);
+    CHECK(measured_by_items<DeviceGrain>(kernel, batch) == expected);
+    CHECK(measured_by_items<WideDeviceGrain>(kernel, batch) == expected);
   }
 }
 

@@ -20,7 +20,7 @@ struct SurfaceScoreKernel {
   std::uint64_t* totals = nullptr;        ///< out, one a tree; 0 at first
 
   static constexpr std::int64_t kSampleBlock = 64;
-  static constexpr std::uint32_t kLargestScore = std::uint32_t{1} << 25;
+  static constexpr std::uint32_t kLargestScore = std::uint32_t{1} << 24;
 
   template <class Grain>
   HEWN_HD std::int64_t items() const {
@@ -95,8 +95,7 @@ struct SurfaceScoreKernel {
     } else if (operand < 0) {
       to = work[-1 - operand];
     } else {
-      const float* own =
-          distances + static_cast<std::int64_t>(operand) * static_cast<std::int32_t>(samples);
+      const float* own = distances + wide_product(operand, static_cast<std::int32_t>(samples));
       // Devices move 16 bytes at a time when they know that they may.
       const auto* from = static_cast<const float*>(__builtin_assume_aligned(own + row, 16));
       for (int r = 0; r < kRows; ++r) {

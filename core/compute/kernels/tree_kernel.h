@@ -76,46 +76,50 @@ struct TreeKernel {
  private:
   /// For few words: the last result stays at hand, and steps do without branches where they can.
   template <int kWords>
-  HEWN_HD void run_in_registers(const TreeSpan& tree, std::int64_t begin, TreeCounts& out) const {
+  HEWN_HD void run_in_registers(const TreeSpan& span, std::int64_t begin, TreeCounts& out) const {
+    const TreeSpan tree = span;
     alignas(16) Word work[kWorkArrays][kWords];
     alignas(16) Word last[kWords] = {};
     alignas(16) Word a[kWords];
     alignas(16) Word b[kWords];
-    const auto fetch = [&](TreeOperand operand, Word* to) {
+    const Word* const rows = columns + begin;
+    const auto stride = static_cast<std::int32_t>(words);
+    const auto fetch = [&](std::int32_t operand, Word* to) {
       if (operand >= 0) {
-        const std::int64_t offset =
-            static_cast<std::int64_t>(operand) * static_cast<std::int32_t>(words);
-        copy_words<kWords>(to, columns + begin + offset);
+        copy_words<kWords>(to, rows + wide_product(operand, stride));
       } else if (operand == kPreviousResult) {
         for (int i = 0; i < kWords; ++i) to[i] = last[i];
       } else {
         copy_words<kWords>(to, work[-1 - operand]);
       }
     };
-    const TreeStep* const first = steps + tree.first_step;
-    Word overlapping = 0;
-    for (std::int32_t i = 0; i < tree.steps; ++i) {
-      const TreeStep step = load(first + i);
-      const bool is_complement = step.op == TreeOp::Complement;
-      if (is_complement) {
-        copy_words<kWords>(a, all + begin);
-      } else {
-        fetch(step.a, a);
+    const TreeStep* next = steps + tree.first_step;
+    Word* overlap = overlaps + (tree.first_overlap - overlaps_begin);
+    for (std::int32_t done = 0; done < tree.steps; done += 64) {
+      const std::int32_t chunk = tree.steps - done < 64 ? tree.steps - done : 64;
+      Word overlapping = 0;
+      Word bit = 1;
+      for (std::int32_t i = 0; i < chunk; ++i, ++next, bit += bit) {
+        const TreeStep step = load(next);
+        const bool is_complement = step.op == TreeOp::Complement;
+        if (is_complement) {
+          copy_words<kWords>(a, all + begin);
+        } else {
+          fetch(step.a, a);
+        }
+        fetch(step.b, b);
+        // a u b = not (not a and not b), a - b = a and not b.
+        const Word turn_a = step.op == TreeOp::Union ? ~Word{0} : 0;
+        const Word turn_b = step.op == TreeOp::Intersection ? 0 : ~Word{0};
+        Word common = 0;
+        for (int k = 0; k < kWords; ++k) {
+          common |= a[k] & b[k];
+          last[k] = ((a[k] ^ turn_a) & (b[k] ^ turn_b)) ^ turn_a;
+        }
+        if (step.is_kept != 0) copy_words<kWords>(work[step.target], last);
+        if (common != 0 && !is_complement) overlapping |= bit;
       }
-      fetch(step.b, b);
-      // a u b = not (not a and not b), a - b = a and not b.
-      const Word turn_a = step.op == TreeOp::Union ? ~Word{0} : 0;
-      const Word turn_b = step.op == TreeOp::Intersection ? 0 : ~Word{0};
-      Word common = 0;
-      for (int k = 0; k < kWords; ++k) {
-        common |= a[k] & b[k];
-        last[k] = ((a[k] ^ turn_a) & (b[k] ^ turn_b)) ^ turn_a;
-      }
-      if (step.is_kept != 0) copy_words<kWords>(work[step.target], last);
-      if (common != 0 && !is_complement) overlapping |= Word{1} << (i & 63);
-      if ((i & 63) != 63 && i + 1 != tree.steps) continue;
-      unite_into(overlaps + (tree.first_overlap - overlaps_begin) + (i >> 6), overlapping);
-      overlapping = 0;
+      unite_into(overlap++, overlapping);
     }
     fetch(tree.value, a);
     count(a, begin, kWords, out);
