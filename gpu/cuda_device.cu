@@ -95,14 +95,10 @@ class CudaDevice final : public Device {
     start_with<DeviceGrain>(kernel);
   }
   void start(const TreeKernel& kernel) const {
-    // As wide as keeps all threads of a warp at work.
-    if (kernel.words % WideDeviceGrain<8>::kGroupWords == 0) {
-      start_with<WideDeviceGrain<8>>(kernel);
-    } else if (kernel.words % WideDeviceGrain<4>::kGroupWords == 0) {
-      start_with<WideDeviceGrain<4>>(kernel);
-    } else {
-      start_with<DeviceGrain>(kernel);
-    }
+    // Only whole warps of the wide kind are worth it.
+    constexpr int kWideWords = WideDeviceGrain::kWords * WideDeviceGrain::kGroup;
+    if (kernel.words % kWideWords == 0) return start_with<WideDeviceGrain>(kernel);
+    start_with<DeviceGrain>(kernel);
   }
 
   template <class Grain, class K>

@@ -30,11 +30,9 @@ struct DeviceGrain {
   static constexpr int kGroup = 32;  ///< a warp
 };
 /// For kernels that spend more on each item than on its words, where there are words enough.
-template <int kWordsOfThread>
 struct WideDeviceGrain : DeviceGrain {
-  static constexpr int kWords = kWordsOfThread;
-  static constexpr int kBlock = kWordsOfThread;
-  static constexpr int kGroupWords = kWords * kGroup;
+  static constexpr int kWords = 4;
+  static constexpr int kBlock = 4;
 };
 
 HEWN_HD int count_bits(Word word) {
