@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include "app/keep_freed_memory.h"
 #include "core/fit/surface_set.h"
 #include "core/io/openscad.h"
 #include "core/mesh/load.h"
@@ -113,6 +114,7 @@ Result<void> run_part(const std::filesystem::path& path, const Setup& setup, Tot
 }  // namespace hewn
 
 int main(int argc, char** argv) {
+  hewn::keep_freed_memory();
   hewn::Setup setup;
   setup.run.threads = 1;
   std::vector<std::string> meshes;
