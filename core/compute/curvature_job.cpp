@@ -32,20 +32,20 @@ Result<void> CurvatureJob::result() const {
 /// Launches `kernel` on all of `count` items, in slices between which a cancelled run ends.
 template <class K>
 void CurvatureJob::launch(K kernel, std::size_t count) {
+  kernel.mesh = mesh_.form();
   const auto end = static_cast<std::int64_t>(count);
-  for (std::int64_t begin = 0; begin < end && !job_.has_failed();) {
+  while (kernel.range_end < end && !job_.has_failed()) {
     is_cancelled_ = is_cancelled_ || run_.is_cancelled();
     if (is_cancelled_) return;
-    kernel.range = {begin, begin + std::min(slice_, end - begin)};
+    kernel.range_begin = kernel.range_end;
+    kernel.range_end += std::min(slice_, end - kernel.range_begin);
     job_.launch(kernel);
-    begin = kernel.range.end;
   }
 }
 
 void CurvatureJob::find_boundaries(const CurvatureJobOptions& options) {
   vertex_classes_ = job_.allocate<VertexClass>(vertices());
   VertexClassKernel classify;
-  classify.mesh = mesh_.form();
   classify.limits = {std::tan(options.ridge_angle_rad / 2), options.corner_ratio,
                      options.corner_defect_rad};
   classify.classes = vertex_classes_.data();
@@ -54,7 +54,6 @@ void CurvatureJob::find_boundaries(const CurvatureJobOptions& options) {
   is_marked_ = job_.allocate<bool>(triangles() * 3);
   marks_ = job_.allocate_filled<int>(vertices(), 0);
   BoundaryKernel mark;
-  mark.mesh = mesh_.form();
   mark.classes = vertex_classes_.data();
   mark.ridge_angle = options.ridge_angle_rad;
   mark.is_marked = is_marked_.data();
@@ -66,7 +65,6 @@ void CurvatureJob::sum_normals(const CurvatureJobOptions& options) {
   normals_ = job_.allocate<PlainVec>(triangles() * 3);
   sectors_ = job_.allocate_filled<int>(triangles() * 3, 0xFF);
   GroupNormalKernel sum;
-  sum.mesh = mesh_.form();
   sum.is_marked = is_marked_.data();
   sum.weights_are_angles = options.weights_are_angles;
   sum.normals = normals_.data();
@@ -77,7 +75,6 @@ void CurvatureJob::sum_normals(const CurvatureJobOptions& options) {
 void CurvatureJob::find_curvatures(const CurvatureLimits& limits) {
   const auto tensors = job_.allocate<CurvatureTensor>(triangles());
   TriangleTensorKernel differ;
-  differ.mesh = mesh_.form();
   differ.normals = normals_.data();
   differ.tensors = tensors.data();
   launch(differ, triangles());
@@ -85,7 +82,6 @@ void CurvatureJob::find_curvatures(const CurvatureLimits& limits) {
   const auto sums = job_.allocate_filled<CurvatureTensor>(triangles() * 3, 0);
   const auto weights = job_.allocate_filled<double>(triangles() * 3, 0);
   SectorTensorKernel average;
-  average.mesh = mesh_.form();
   average.normals = normals_.data();
   average.sectors = sectors_.data();
   average.tensors = tensors.data();
@@ -96,7 +92,6 @@ void CurvatureJob::find_curvatures(const CurvatureLimits& limits) {
   curvatures_ = job_.allocate<CurvatureForm>(triangles());
   classes_ = job_.allocate<CurvatureClass>(triangles());
   PrincipalKernel solve;
-  solve.mesh = mesh_.form();
   solve.normals = normals_.data();
   solve.sectors = sectors_.data();
   solve.sums = sums.data();
@@ -132,7 +127,6 @@ std::vector<int> CurvatureJob::regions() {
   for (int has_changed = 1; has_changed != 0 && !is_cancelled_ && !job_.has_failed();) {
     const auto flag = job_.allocate_filled<int>(1, 0);
     FloodKernel spread;
-    spread.mesh = mesh_.form();
     spread.is_marked = is_marked_.data();
     spread.classes = classes_.data();
     spread.labels = labels.data();

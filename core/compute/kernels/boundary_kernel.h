@@ -6,24 +6,17 @@ namespace hewn {
 
 /// Marks a side whose vertices are both no face and whose triangles meet at more than the ridge
 /// angle; also hole rims and non-manifold edges. One item is one triangle.
-struct BoundaryKernel {
-  MeshForm mesh;
+struct BoundaryKernel : MeshKernel {
   const VertexClass* classes = nullptr;  ///< of vertices
   double ridge_angle = 0;                ///< radians
   bool* is_marked = nullptr;             ///< out, by corner number: the side that begins there
   /// Out, by vertex, 0 at first: twice the number of marked edges, as an edge with two triangles
   /// is seen from both.
   int* marks = nullptr;
-  ItemRange range;
-
-  template <class Grain>
-  HEWN_HD std::int64_t items() const {
-    return range.size();
-  }
 
   template <class Grain>
   HEWN_HD void run(std::int64_t item) const {
-    const auto t = static_cast<int>(range.begin + item);
+    const int t = number_of(item);
     for (int k = 0; k < 3; ++k) {
       const int corner = 3 * t + k;
       const int a = mesh.triangles[corner];

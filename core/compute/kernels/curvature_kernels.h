@@ -45,20 +45,13 @@ HEWN_HD CurvatureTensor turned(const CurvatureTensor& t, const PlainVec& from_no
 
 /// First pass: the tensor of a triangle maps each side to the change of normals along it, by least
 /// squares. One item is one triangle.
-struct TriangleTensorKernel {
-  MeshForm mesh;
+struct TriangleTensorKernel : MeshKernel {
   const PlainVec* normals = nullptr;   ///< by corner number
   CurvatureTensor* tensors = nullptr;  ///< out, by triangle
-  ItemRange range;
-
-  template <class Grain>
-  HEWN_HD std::int64_t items() const {
-    return range.size();
-  }
 
   template <class Grain>
   HEWN_HD void run(std::int64_t item) const {
-    const auto t = static_cast<int>(range.begin + item);
+    const int t = number_of(item);
     tensors[t] = mesh.areas[t] > 0 ? tensor_of(t) : CurvatureTensor{};
   }
 
@@ -94,23 +87,16 @@ struct TriangleTensorKernel {
 
 /// Second pass: the mean of the triangles' tensors around a vertex, weighted by each corner's share
 /// of the area, never across a marked side. One item is one vertex. Cost: O(corners).
-struct SectorTensorKernel {
-  MeshForm mesh;
+struct SectorTensorKernel : MeshKernel {
   const PlainVec* normals = nullptr;         ///< by corner number
   const int* sectors = nullptr;              ///< by corner number
   const CurvatureTensor* tensors = nullptr;  ///< by triangle
   CurvatureTensor* sums = nullptr;           ///< out, by sector; 0 at first
   double* weights = nullptr;                 ///< scratch, by sector; 0 at first
-  ItemRange range;
-
-  template <class Grain>
-  HEWN_HD std::int64_t items() const {
-    return range.size();
-  }
 
   template <class Grain>
   HEWN_HD void run(std::int64_t item) const {
-    const std::int64_t vertex = range.begin + item;
+    const int vertex = number_of(item);
     const int* const begin = mesh.corners + mesh.first_corner[vertex];
     const int* const end = mesh.corners + mesh.first_corner[vertex + 1];
     for (const int* c = begin; c != end; ++c) {
@@ -185,24 +171,17 @@ struct CurvatureForm {
 };
 
 /// Third pass: a triangle takes the mean of its corners. One item is one triangle.
-struct PrincipalKernel {
-  MeshForm mesh;
+struct PrincipalKernel : MeshKernel {
   const PlainVec* normals = nullptr;      ///< by corner number
   const int* sectors = nullptr;           ///< by corner number
   const CurvatureTensor* sums = nullptr;  ///< by sector
   CurvatureLimits limits;
   CurvatureForm* curvatures = nullptr;  ///< out
   CurvatureClass* classes = nullptr;    ///< out
-  ItemRange range;
-
-  template <class Grain>
-  HEWN_HD std::int64_t items() const {
-    return range.size();
-  }
 
   template <class Grain>
   HEWN_HD void run(std::int64_t item) const {
-    const auto t = static_cast<int>(range.begin + item);
+    const int t = number_of(item);
     curvatures[t] = CurvatureForm{};
     classes[t] = CurvatureClass::None;
     if (!(mesh.areas[t] > 0)) return;

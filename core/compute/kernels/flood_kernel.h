@@ -7,23 +7,16 @@ namespace hewn {
 /// One round: every triangle takes the lowest label around it, of its own class and not across a
 /// marked side, and then its label's label, so that long regions take a logarithmic number of
 /// rounds. One item is one triangle.
-struct FloodKernel {
-  MeshForm mesh;
+struct FloodKernel : MeshKernel {
   const bool* is_marked = nullptr;  ///< by corner number
   const CurvatureClass* classes = nullptr;
   const int* labels = nullptr;  ///< a triangle each, or -1
   int* next = nullptr;          ///< out
   int* has_changed = nullptr;   ///< out: 1 if any label has
-  ItemRange range;
-
-  template <class Grain>
-  HEWN_HD std::int64_t items() const {
-    return range.size();
-  }
 
   template <class Grain>
   HEWN_HD void run(std::int64_t item) const {
-    const auto t = static_cast<int>(range.begin + item);
+    const int t = number_of(item);
     next[t] = labels[t] < 0 ? -1 : lowest_around(t);
     if (next[t] != labels[t]) set_flag(has_changed);
   }

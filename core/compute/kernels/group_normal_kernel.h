@@ -6,22 +6,15 @@ namespace hewn {
 
 /// Sums triangle normals around each vertex, separated by the marked sides (Stroeter et al. 2026,
 /// equation 2.3). One item is one vertex. Cost: O(corners).
-struct GroupNormalKernel {
-  MeshForm mesh;
+struct GroupNormalKernel : MeshKernel {
   const bool* is_marked = nullptr;  ///< by corner number: the side that begins there
   bool weights_are_angles = false;  ///< else areas
   PlainVec* normals = nullptr;      ///< out, by corner number
   int* sectors = nullptr;  ///< out, by corner number: the lowest of the same group; -1 at first
-  ItemRange range;
-
-  template <class Grain>
-  HEWN_HD std::int64_t items() const {
-    return range.size();
-  }
 
   template <class Grain>
   HEWN_HD void run(std::int64_t item) const {
-    const std::int64_t vertex = range.begin + item;
+    const int vertex = number_of(item);
     const int* const begin = mesh.corners + mesh.first_corner[vertex];
     const int* const end = mesh.corners + mesh.first_corner[vertex + 1];
     for (const int* c = begin; c != end; ++c) {
@@ -50,19 +43,18 @@ struct GroupNormalKernel {
     const int vertex = mesh.triangles[first];
     for (int way = 0; way < 2; ++way) {
       int corner = first;
-      int side = way == 0 ? first : side_before(first);
+      int side = way == 0 ? first : MeshForm::side_before(first);
       while (!is_marked[side]) {
         const int next = corner_at(mesh.neighbors[side], vertex);
         if (next < 0 || sectors[next] >= 0) break;
         sectors[next] = first;
         // Leave by the side that was not crossed.
         const bool came_over_own = mesh.neighbors[next] == corner / 3;
-        side = came_over_own ? side_before(next) : next;
+        side = came_over_own ? MeshForm::side_before(next) : next;
         corner = next;
       }
     }
   }
-  static HEWN_HD int side_before(int corner) { return corner / 3 * 3 + (corner % 3 + 2) % 3; }
   HEWN_HD int corner_at(int triangle, int vertex) const {
     if (triangle < 0) return -1;
     for (int corner = 3 * triangle; corner < 3 * triangle + 3; ++corner) {

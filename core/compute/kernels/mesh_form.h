@@ -18,6 +18,8 @@ struct MeshForm {
   std::int64_t vertex_count = 0;
   std::int64_t triangle_count = 0;
 
+  /// The side that ends at a corner; the one that begins there has the corner's number.
+  static HEWN_HD int side_before(int corner) { return corner / 3 * 3 + (corner % 3 + 2) % 3; }
   HEWN_HD PlainVec position(int corner) const { return vertices[triangles[corner]]; }
   HEWN_HD double corner_angle(int corner) const {
     const int t = corner / 3;
@@ -27,11 +29,18 @@ struct MeshForm {
   }
 };
 
-/// The items of a kernel over a range of vertices or triangles.
-struct ItemRange {
-  std::int64_t begin = 0, end = 0;
+/// What kernels over a mesh have in common: each item is one triangle or one vertex of a range.
+struct MeshKernel {
+  MeshForm mesh;
+  std::int64_t range_begin = 0, range_end = 0;  ///< triangles or vertices
 
-  HEWN_HD std::int64_t size() const { return end - begin; }
+  template <class Grain>
+  HEWN_HD std::int64_t items() const {
+    return range_end - range_begin;
+  }
+
+ protected:
+  HEWN_HD int number_of(std::int64_t item) const { return static_cast<int>(range_begin + item); }
 };
 
 }  // namespace hewn

@@ -14,20 +14,13 @@ struct VertexLimits {
 
 /// The class of a vertex by the eigenvalues of its triangles' normals' tensor, weighted by angles.
 /// One item is one vertex. Cost: O(corners).
-struct VertexClassKernel {
-  MeshForm mesh;
+struct VertexClassKernel : MeshKernel {
   VertexLimits limits;
   VertexClass* classes = nullptr;  ///< out
-  ItemRange range;
-
-  template <class Grain>
-  HEWN_HD std::int64_t items() const {
-    return range.size();
-  }
 
   template <class Grain>
   HEWN_HD void run(std::int64_t item) const {
-    const std::int64_t vertex = range.begin + item;
+    const int vertex = number_of(item);
     classes[vertex] = classify(mesh.first_corner[vertex], mesh.first_corner[vertex + 1]);
   }
 
@@ -51,7 +44,7 @@ struct VertexClassKernel {
       }
       angle_sum += angle;
       is_on_rim = is_on_rim || mesh.neighbors[corner] < 0 ||
-                  mesh.neighbors[3 * triangle + (corner + 2 - 3 * triangle) % 3] < 0;
+                  mesh.neighbors[MeshForm::side_before(corner)] < 0;
     }
     if (!(angle_sum > 0)) return VertexClass::Face;
     constexpr double kTurn = 2 * 3.141592653589793238;
