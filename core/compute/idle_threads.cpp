@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include "core/compute/arena.h"
+#include "core/compute/busy_threads.h"
 #include "core/compute/parallel.h"
 
 namespace hewn {
@@ -21,7 +22,9 @@ std::size_t idle_workers(int threads) {
 
 void for_each_with_idle(int threads, std::size_t workers, std::size_t n,
                         const std::function<void(std::size_t, std::size_t)>& body) {
-  if (workers <= 1 || n <= 1) return for_each_with_worker(1, 1, n, body);
+  // Begun in vain, a loop costs as much as a body or two.
+  const bool is_alone = workers <= 1 || n <= 1 || BusyThread::count() >= worker_count(threads);
+  if (is_alone) return for_each_with_worker(1, 1, n, body);
   const auto loop = [&] { for_each_with_worker(threads, workers, n, body); };
   in_arena(threads, [&loop] { tbb::this_task_arena::isolate(loop); });
 }

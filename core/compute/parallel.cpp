@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "core/compute/arena.h"
+#include "core/compute/busy_threads.h"
 #include "core/compute/fork_join.h"
 
 namespace hewn {
@@ -20,6 +21,7 @@ void for_each_chunk(int threads, std::size_t n, std::size_t grain,
   const tbb::blocked_range<std::size_t> range(0, n, grain);
   ForkJoin order;
   const auto visit = [&](const tbb::blocked_range<std::size_t>& part) {
+    const BusyThread busy;
     order.begin();
     body(part.begin(), part.end());
     order.end();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/compute/compute.h"
 #include "core/compute/parallel.h"
@@ -12,6 +13,7 @@ namespace hewn {
 namespace {
 
 constexpr std::size_t kPointsPerChunk = 512;
+constexpr std::size_t kPartsPerTask = 16;
 constexpr int kPairsPerGroup = 64;
 constexpr int kPairTries = 400;
 constexpr int kNearPerGroup = 60;
@@ -44,6 +46,26 @@ void fill_signatures(SampleTable& table, const std::vector<Halfspace>& halfspace
   const double seconds = seconds_for_sides(forms.size(), points.size());
   // The processor does it when a device fails, so that only a stop is left: callers look for it.
   static_cast<void>(compute_of(run)->run(seconds, run, job));
+}
+
+/// Appends all points, in order. Most of the cost is in the first touch of fresh memory, which all
+/// threads share.
+void append_parts(SampleTable& table, const std::vector<Halfspace>& halfspaces,
+                  std::span<const std::vector<LabelledPoint>> parts, const RunContext& run) {
+  const std::size_t first = table.size();
+  std::vector<std::size_t> begins{first};
+  for (const auto& part : parts) begins.push_back(begins.back() + part.size());
+  table.points.resize(begins.back());
+  table.is_inside.resize(begins.back());
+  table.signatures.resize(begins.back() * table.stride, 0);
+  const auto copy = [&](std::size_t part) {
+    for (std::size_t i = 0; i < parts[part].size(); ++i) {
+      table.points[begins[part] + i] = parts[part][i].position;
+      table.is_inside[begins[part] + i] = parts[part][i].is_inside ? 1 : 0;
+    }
+  };
+  for_each_index(run.threads, parts.size(), copy, kPartsPerTask);
+  fill_signatures(table, halfspaces, 0, first, run);
 }
 
 /// The pairs and near points of one face group, with its own generator.
@@ -117,9 +139,8 @@ bool is_certain(const SampleSpace& space, const Vec3& p) {
   });
 }
 
-std::vector<LabelledPoint> collect_points(const SampleSpace& space, std::size_t chunks,
-                                          std::uint64_t stream, const RunContext& run,
-                                          const Proposal& proposal) {
+void append_proposed(SampleTable& table, const SampleSpace& space, std::size_t chunks,
+                     std::uint64_t stream, const RunContext& run, const Proposal& proposal) {
   std::vector<std::vector<LabelledPoint>> kept(chunks);
   for_each_index(run.threads, chunks, [&](std::size_t chunk) {
     if (run.is_cancelled()) return;
@@ -130,9 +151,7 @@ std::vector<LabelledPoint> collect_points(const SampleSpace& space, std::size_t 
       if (label != Label::DontCare) kept[chunk].push_back({p, label == Label::Inside});
     });
   });
-  std::vector<LabelledPoint> all;
-  for (const auto& part : kept) all.insert(all.end(), part.begin(), part.end());
-  return all;
+  append_parts(table, *space.halfspaces, kept, run);
 }
 
 Vec3 sample_in_box(const SampleSpace& space, double margin, Rng& rng) {
@@ -156,13 +175,7 @@ Vec3 sample_around_box(const SampleSpace& space, Rng& rng) {
 
 void append_points(SampleTable& table, const std::vector<Halfspace>& halfspaces,
                    const std::vector<LabelledPoint>& points, const RunContext& run) {
-  const std::size_t first = table.size();
-  table.signatures.resize((first + points.size()) * table.stride, 0);
-  for (const LabelledPoint& p : points) {
-    table.points.push_back(p.position);
-    table.is_inside.push_back(p.is_inside ? 1 : 0);
-  }
-  fill_signatures(table, halfspaces, 0, first, run);
+  append_parts(table, halfspaces, std::span(&points, 1), run);
 }
 
 void append_halfspaces(SampleTable& table, const std::vector<Halfspace>& halfspaces,
@@ -196,10 +209,8 @@ Result<SampleTable> build_sample_table(const SampleSpace& space, int volume_poin
     for (std::size_t i = 0; i < kPointsPerChunk; ++i) emit(sample_around_box(space, rng));
   };
   run.report("sample", 0.1);
-  append_points(table, *space.halfspaces,
-                collect_points(space, chunks_of(volume_points), 1, run, uniform), run);
-  append_points(table, *space.halfspaces,
-                collect_points(space, chunks_of(volume_points * 3 / 4), 2, run, around), run);
+  append_proposed(table, space, chunks_of(volume_points), 1, run, uniform);
+  append_proposed(table, space, chunks_of(volume_points * 3 / 4), 2, run, around);
   run.report("sample", 0.6);
   append_group_samples(space, halfspace_of_group, table, run);
   if (run.is_cancelled()) return RunContext::cancelled();

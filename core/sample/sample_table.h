@@ -55,11 +55,11 @@ bool is_certain(const SampleSpace& space, const Vec3& p);
 using Proposal =
     std::function<void(std::size_t chunk, Rng& rng, const std::function<void(const Vec3&)>& emit)>;
 
-/// Runs `chunks` proposals in parallel, each with its own generator, and returns the kept points
-/// in chunk order: the result does not depend on the number of threads.
-std::vector<LabelledPoint> collect_points(const SampleSpace& space, std::size_t chunks,
-                                          std::uint64_t stream, const RunContext& run,
-                                          const Proposal& proposal);
+/// Runs `chunks` proposals in parallel, each with its own generator, and appends the kept points
+/// in chunk order: the result does not depend on the number of threads. When the run is cancelled,
+/// points and signatures may be missing.
+void append_proposed(SampleTable& table, const SampleSpace& space, std::size_t chunks,
+                     std::uint64_t stream, const RunContext& run, const Proposal& proposal);
 
 /// A point just outside one side of the frame's box, or up to a third of the diagonal away.
 Vec3 sample_around_box(const SampleSpace& space, Rng& rng);

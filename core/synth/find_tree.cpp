@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <string>
 
+#include "core/compute/parallel.h"
 #include "core/sample/bar_ends.h"
 #include "core/sample/cells.h"
 #include "core/sample/separate.h"
@@ -308,8 +310,7 @@ class TreeSearch {
         emit(p);
       }
     };
-    append_points(table_, surfaces_.halfspaces,
-                  collect_points(space_, count, stream(round, 300), run_, nearby), run_);
+    append_proposed(table_, space_, count, stream(round, 300), run_, nearby);
   }
 
   Result<TreeAnswer> finish() {
@@ -339,13 +340,18 @@ class TreeSearch {
 
   /// Whether the tree holds points outside the frame's box that the labels do not.
   bool reaches_outside(const Tree& tree) const {
-    constexpr int kProbes = 20000;
+    constexpr std::size_t kProbes = 20000;
+    constexpr std::size_t kProbesPerTask = 200;
     Rng rng(run_.seed, stream(998, 0));
-    for (int i = 0; i < kProbes; ++i) {
-      const Vec3 p = sample_around_box(space_, rng);
-      if (tree.contains(p) && label_(p) == Label::Outside) return true;
-    }
-    return false;
+    std::vector<Vec3> probes(kProbes);
+    for (Vec3& p : probes) p = sample_around_box(space_, rng);
+    std::atomic<bool> is_found{false};
+    const auto look = [&](std::size_t i) {
+      if (is_found.load(std::memory_order_relaxed) || !tree.contains(probes[i])) return;
+      if (label_(probes[i]) == Label::Outside) is_found = true;
+    };
+    for_each_index(run_.threads, kProbes, look, kProbesPerTask);
+    return is_found;
   }
 
   const TreeProblem& problem_;

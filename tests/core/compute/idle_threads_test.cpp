@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include "core/compute/busy_threads.h"
 #include "core/compute/parallel.h"
 
 namespace hewn {
@@ -49,6 +50,18 @@ TEST_CASE("nothing longer is begun while the loop's end is waited for") {
     is_inside = false;
   });
   CHECK(nested == 0);
+}
+
+TEST_CASE("a thread in the bodies of several loops is one busy thread") {
+  CHECK(BusyThread::count() == 0);
+  std::atomic<bool> is_counted{true};
+  for_each_index(2, 40, [&](std::size_t) {
+    for_each_index(2, 10, [&](std::size_t) {
+      if (BusyThread::count() < 1 || BusyThread::count() > 2) is_counted = false;
+    });
+  });
+  CHECK(is_counted);
+  CHECK(BusyThread::count() == 0);
 }
 
 TEST_CASE("there is at least one worker, and no more than are of use") {
