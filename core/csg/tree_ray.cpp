@@ -221,6 +221,7 @@ TreeRays::TreeRays(const Tree& tree) : tree_(&tree) {
     }
     meshes_.push_back(std::move(query));
   }
+  table_ = BoundsTable(bounds_, std::vector<double>(bounds_.size(), 0));
 }
 
 void TreeRays::append_literal(int literal, const Ray& ray, Intervals& out) const {
@@ -319,7 +320,8 @@ void TreeRays::cast_literal(int literal, const Vec3& origin, const Vec3& directi
 void TreeRays::cast_literals(const Vec3& origin, const Vec3& direction, Intervals& out) const {
   out.clear();
   const Ray ray(origin, direction);
-  for (std::size_t k = 0; k < bounds_.size(); ++k) append_literal(static_cast<int>(k), ray, out);
+  table_.visit_met(origin, direction,
+                   [&](std::size_t k) { append_literal(static_cast<int>(k), ray, out); });
 }
 
 const Intervals& TreeRays::cast(const Vec3& origin, const Vec3& direction,

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/csg/bounds_table.h"
 #include "core/csg/literal_bounds.h"
 #include "core/csg/tree.h"
 #include "core/mesh/query.h"
@@ -65,6 +66,7 @@ class TreeRays {
 
   const Tree* tree_;
   std::vector<LiteralBounds> bounds_;                     ///< of each literal
+  BoundsTable table_;                                     ///< of the bounds
   std::vector<std::shared_ptr<const MeshQuery>> meshes_;  ///< of polyhedra, else null
 };
 

@@ -25,7 +25,9 @@ void Walker::line(const ProbeLine& probe) {
     events_.emplace_back(s.enter.t, s.enter.literal);
     events_.emplace_back(s.leave.t, s.leave.literal);
   }
-  std::sort(events_.begin(), events_.end());
+  // In whatever order those at the same place: no cell lies between them.
+  std::sort(events_.begin(), events_.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
   std::uint64_t key = 0;
   const double shortest = 4 * kUncertain * place_.arrangement.scale;
   for (std::size_t i = 0; i < events_.size(); ++i) {

@@ -151,6 +151,63 @@ TEST_CASE("a table of bounds leaves out only literals that are further off than 
   CHECK(visited < 500 * literals.size());
 }
 
+/// Whether the whole line meets the box.
+bool line_meets(const Box3& box, const Vec3& origin, const Vec3& direction) {
+  double enter = -kInfinity;
+  double leave = kInfinity;
+  for (int k = 0; k < 3; ++k) {
+    if (direction[k] == 0) {
+      if (origin[k] < box.lo[k] || origin[k] > box.hi[k]) return false;
+      continue;
+    }
+    const double a = (box.lo[k] - origin[k]) / direction[k];
+    const double b = (box.hi[k] - origin[k]) / direction[k];
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return enter <= leave;
+}
+
+TEST_CASE("a table of bounds leaves out only literals that a line passes by") {
+  for (const double scale : {1.0, 1e-4, 1e5}) {
+    Rng rng(79);
+    std::vector<LiteralBounds> bounds;
+    for (int i = 0; i < 37; ++i) {
+      bounds.emplace_back(testing::random_literal(rng));
+      bounds.back().box.lo *= scale;
+      bounds.back().box.hi *= scale;
+      bounds.back().slack *= scale;
+    }
+    bounds[5].box = Box3{};
+    const BoundsTable table(bounds, std::vector<double>(bounds.size(), 0));
+    std::size_t visited = 0;
+    std::size_t met = 0;
+    for (int i = 0; i < 2000; ++i) {
+      Vec3 direction = testing::random_point(rng, 1).normalized();
+      Vec3 point = testing::random_point(rng, 1) * scale;
+      const Box3& box = bounds[static_cast<std::size_t>(i) % bounds.size()].box;
+      const int axis = i % 3;
+      if (i % 4 == 1 && !box.is_empty()) point[axis] = box.lo[axis];
+      if (i % 4 <= 1) direction[axis] = i % 8 == 0 ? 1e-12 : 0;  // along a face, or nearly so
+      if (i % 16 == 1) direction = Vec3::Unit((axis + 1) % 3);
+      const Vec3 origin = point - 7 * scale * direction;
+      std::vector<char> is_met(bounds.size(), 0);
+      table.visit_met(origin, direction, [&](std::size_t k) { is_met.at(k) = 1; });
+      CHECK_FALSE(is_met[5]);
+      for (std::size_t k = 0; k < bounds.size(); ++k) {
+        const bool meets =
+            !bounds[k].box.is_empty() && line_meets(bounds[k].box, origin, direction);
+        if (meets) REQUIRE(is_met[k]);
+        visited += is_met[k];
+        met += meets ? 1U : 0U;
+      }
+    }
+    // Few that are not met, at that.
+    CHECK(met > 5000);
+    CHECK(visited < met + met / 20);
+  }
+}
+
 TEST_CASE("a polyhedron's query answers as the sum over its triangles does") {
   Rng rng(13);
   const auto mesh = std::make_shared<const Mesh>(testing::tetrahedron(1.5));
