@@ -17,7 +17,8 @@ struct SampleScore {
   std::uint32_t score = 0, turned_score = 0;
 };
 
-/// Distances and scores of primitives at samples, kept on the device that scored last. One thread.
+/// Distances and scores of primitives at samples. Kept on the device that scored last where they
+/// fit into its budget, else sent in parts each time. One thread.
 class SurfaceScores {
  public:
   /// Everything is 0. Requires: at most 2^14 primitives, fewer than 2^31 samples.
@@ -42,11 +43,22 @@ class SurfaceScores {
   }
 
  private:
+  /// Distances and scores at some samples in a row, in a device's memory.
+  struct Part {
+    std::size_t samples = 0;
+    DeviceBuffer<float> distances;
+    DeviceBuffer<std::uint32_t> scores;
+  };
+  std::size_t samples_per_part(const Device& device) const;
+  Part upload_part(DeviceJob& job, std::size_t begin, std::size_t samples) const;
+  /// Adds the part's scores to `out`.
+  Result<void> measure_part(Device& device, const TreeBatch& batch, const Part& part,
+                            std::span<std::uint64_t> out, const RunContext& run) const;
+
   std::size_t primitives_, samples_, padded_;
   std::vector<float> distances_;       ///< by primitive, then by sample
   std::vector<std::uint32_t> scores_;  ///< as it is and turned, by primitive, then by sample
-  DeviceBuffer<float> resident_distances_;
-  DeviceBuffer<std::uint32_t> resident_scores_;
+  Part resident_;                      ///< where all of it fits
 };
 
 }  // namespace hewn

@@ -92,6 +92,32 @@ TEST_CASE("trees score as a sample-by-sample evaluation says") {
   }
 }
 
+TEST_CASE("samples that exceed the device's budget go through in parts") {
+  Rng rng(43);
+  constexpr std::size_t kPrimitives = 9;
+  constexpr std::size_t kSamples = 1000;
+  const Scored scores = random_scores(kPrimitives, kSamples, rng);
+  SurfaceScores table(kPrimitives, kSamples);
+  for (std::size_t k = 0; k < kPrimitives; ++k) {
+    for (std::size_t i = 0; i < kSamples; ++i) table.set(k, i, scores[k][i]);
+  }
+  TreeBatch batch;
+  std::vector<std::vector<Token>> trees(20);
+  for (auto& tree : trees) {
+    testing::append_random_tree(tree, 1 + rng.below(12), kPrimitives, rng);
+    batch.add(tree);
+  }
+  std::vector<std::uint64_t> totals(trees.size());
+  // Less than a block of samples, some blocks, all.
+  for (const std::size_t budget : {std::size_t{1}, std::size_t{50'000}, std::size_t{1} << 30}) {
+    CpuDevice device(2, budget);
+    REQUIRE(table.measure(device, batch, totals, {}).has_value());
+    for (std::size_t t = 0; t < trees.size(); ++t) {
+      REQUIRE(totals[t] == scored_plainly(trees[t], scores));
+    }
+  }
+}
+
 TEST_CASE("few samples at a time give the same totals as many") {
   Rng rng(42);
   constexpr std::size_t kPrimitives = 7;
