@@ -100,30 +100,58 @@ class ArcSettler {
     return best;
   }
 
+  /// What of an arc lies on a circle about the axis.
+  struct OnCircle {
+    std::vector<Vec3> points;
+    std::vector<Vec3> places;  ///< of the points, each once
+    double deepest = 0;        ///< of the others, which are nearer to the axis
+  };
+
+  /// Nothing when a vertex lies beyond the circle.
+  std::optional<OnCircle> split(const FitItem& item, const Vec3& center, double radius) const {
+    OnCircle out;
+    for (const Vec3& p : item.points) {
+      const Vec3 at = across(p);
+      const double beyond = (at - center).norm() - radius;
+      if (beyond > exact_) return std::nullopt;
+      out.deepest = std::max(out.deepest, -beyond);
+      if (beyond < -exact_) continue;
+      out.points.push_back(p);
+      const auto is_here = [&](const Vec3& q) { return (q - at).norm() < 10 * exact_; };
+      if (std::none_of(out.places.begin(), out.places.end(), is_here)) out.places.push_back(at);
+    }
+    return out;
+  }
+
+  /// How far a chord between the two nearest places is from the circle.
+  static double sagitta(const std::vector<Vec3>& places, double radius) {
+    double shortest = kInfinity;
+    for (std::size_t a = 0; a < places.size(); ++a) {
+      for (std::size_t b = 0; b < a; ++b) {
+        shortest = std::min(shortest, (places[a] - places[b]).squaredNorm());
+      }
+    }
+    const double apothem = std::sqrt(std::max(0.0, radius * radius - shortest / 4));
+    return places.size() < 2 ? 0 : radius - apothem;
+  }
+
   bool adopt(FitItem& item, const Candidate& candidate) const {
     const double radius =
         candidate.radius ? *candidate.radius : common_radius(item, candidate.point);
+    std::optional<OnCircle> split_item = split(item, candidate.point, radius);
+    if (!split_item || split_item->places.size() < (candidate.radius ? 2U : 3U)) return false;
     double own_worst = 0;
     for (const Vec3& p : item.points) {
       own_worst = std::max(own_worst, std::abs(item.surface.signed_distance(p)));
     }
-    // A vertex on a chord is nearer to the axis, by not much more than the own fit shows.
+    // A vertex on a chord is no deeper than its middle; where no chord is known whole, not by much
+    // more than the own fit shows.
     constexpr double kDeepest = 4;
-    std::vector<Vec3> on_circle;
-    std::vector<Vec3> places;
-    for (const Vec3& p : item.points) {
-      const Vec3 at = across(p);
-      const double beyond = (at - candidate.point).norm() - radius;
-      if (beyond > exact_ || beyond < -kDeepest * own_worst - exact_) return false;
-      if (beyond < -exact_) continue;
-      on_circle.push_back(p);
-      const auto is_here = [&](const Vec3& q) { return (q - at).norm() < 10 * exact_; };
-      if (std::none_of(places.begin(), places.end(), is_here)) places.push_back(at);
-    }
-    if (places.size() < (candidate.radius ? 2U : 3U)) return false;
+    const double allowed = std::max(kDeepest * own_worst, sagitta(split_item->places, radius));
+    if (split_item->deepest > allowed + exact_) return false;
     item.surface.point = candidate.point;
     item.surface.radius = radius;
-    item.points = std::move(on_circle);
+    item.points = std::move(split_item->points);
     item.sigma = std::max(snap_.noise, rms_distance(item.surface, item.points));
     item.deviation.position = candidate.deviation;
     item.deviation.radius = item.sigma;
