@@ -7,6 +7,7 @@
 #include "core/compute/parallel.h"
 #include "core/synth/decompose/construct.h"
 #include "core/synth/decompose/grower_team.h"
+#include "core/synth/decompose/rebase.h"
 
 namespace hewn {
 namespace {
@@ -61,6 +62,7 @@ std::optional<FoundList> ListSearch::start(std::size_t i, long& grown) {
   std::optional<DecisionList> list = construct_list(space, o, growers, rng, run_);
   grown = growers.terms_grown();
   if (!list) return std::nullopt;
+  rebase_list(space, *list);
   tell(*list, clip);
   grown +=
       improve_list(space, walk_options(*list, options_.first_share), *list, rng, run_).terms_grown;
@@ -131,6 +133,7 @@ void ListSearch::refine(int task, int share, std::vector<FoundList>& lists) {
     const SearchSpace& space = spaces_[f.clip ? 1 : 0];
     Rng rng(run_.seed, stream_ + static_cast<std::uint64_t>(task) + i);
     grown[i] = improve_list(space, walk_options(f.list, share), f.list, rng, run_).terms_grown;
+    rebase_list(space, f.list);
   });
   for (const long g : grown) terms_grown_ += g;
 }

@@ -1,6 +1,7 @@
 #include "core/synth/decompose/decision_list.h"
 #include "core/synth/decompose/gather.h"
 #include "core/synth/decompose/neighbourhood.h"
+#include "core/synth/decompose/rebase.h"
 #include "core/synth/decompose/relax.h"
 #include "core/synth/decompose/tighten.h"
 #include "tests/core/synth/search_fixture.h"
@@ -49,6 +50,34 @@ TEST_CASE("a list that lacks an item has wrong cells, and repair mends them") {
   Rng rng(3);
   REQUIRE(repair_list(f.space, list, growers, rng, run));
   CHECK(is_right(f.space, list.items, list.base));
+}
+
+TEST_CASE("a box less all around a washer becomes a disc less its hole") {
+  ListFixture f(solids::revolve({{2, 0}, {5, 0}, {5, 1}, {2, 1}}, 48, true));
+  // Whatever halfspace side holds nothing of the solid is cut off.
+  DecisionList list{{}, true};
+  for (std::size_t k = 0; k < f.columns.halfspaces(); ++k) {
+    for (const bool inside : {false, true}) {
+      Term cut;
+      cut.fills = false;
+      cut.literals = {{static_cast<int>(k), inside}};
+      cut.cost = term_cost(cut.literals, f.combinability);
+      const TermPtr item = with_cover(f.columns, cut);
+      Word held = 0;
+      for (std::size_t i = 0; i < f.columns.words(); ++i) {
+        held |= item->cover[i] & f.columns.wanted()[i];
+      }
+      if (held == 0) list.items.push_back(item);
+    }
+  }
+  REQUIRE(is_right(f.space, list.items, list.base));
+  REQUIRE(list.items.size() == 4);
+  CHECK(list.cost() == 6);  // the box, two planes, the hole, and all outside a cylinder
+  REQUIRE(rebase_list(f.space, list));
+  CHECK_FALSE(list.base);
+  CHECK(list.cost() == 2);
+  CHECK(is_right(f.space, list.items, list.base));
+  CHECK_FALSE(rebase_list(f.space, list));
 }
 
 TEST_CASE("improving keeps a list right and never makes it dearer") {
