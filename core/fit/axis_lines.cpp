@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "core/fit/directions.h"
+#include "core/fit/polygon_arcs.h"
 #include "core/fit/round_values.h"
 #include "core/fit/short_arcs.h"
 #include "core/fit/snap_rule.h"
@@ -37,6 +38,7 @@ class PositionSettler {
 
   void run() {
     for (FitItem& item : items_) align(item);
+    settle_polygon_arcs(items_, directions_, exact_, snap_.noise);
     settle_short_arcs(items_, directions_, snap_, exact_);
     find_lines();
     for (AxisLine& line : lines_) settle(line);
