@@ -7,6 +7,7 @@
 #include "core/compute/parallel.h"
 #include "core/synth/decompose/construct.h"
 #include "core/synth/decompose/grower_team.h"
+#include "core/synth/decompose/pull_out.h"
 #include "core/synth/decompose/rebase.h"
 
 namespace hewn {
@@ -134,6 +135,7 @@ void ListSearch::refine(int task, int share, std::vector<FoundList>& lists) {
     Rng rng(run_.seed, stream_ + static_cast<std::uint64_t>(task) + i);
     grown[i] = improve_list(space, walk_options(f.list, share), f.list, rng, run_).terms_grown;
     rebase_list(space, f.list);
+    pull_out_cuts(space, f.list);
   });
   for (const long g : grown) terms_grown_ += g;
 }

@@ -1,6 +1,10 @@
+#include <algorithm>
+#include <cmath>
+
 #include "core/synth/decompose/decision_list.h"
 #include "core/synth/decompose/gather.h"
 #include "core/synth/decompose/neighbourhood.h"
+#include "core/synth/decompose/pull_out.h"
 #include "core/synth/decompose/rebase.h"
 #include "core/synth/decompose/relax.h"
 #include "core/synth/decompose/tighten.h"
@@ -78,6 +82,37 @@ TEST_CASE("a box less all around a washer becomes a disc less its hole") {
   CHECK(list.cost() == 2);
   CHECK(is_right(f.space, list.items, list.base));
   CHECK_FALSE(rebase_list(f.space, list));
+}
+
+TEST_CASE("a bore that hub and flange share is cut once, and the flange goes through the hub") {
+  ListFixture f(solids::revolve({{1, 0}, {4, 0}, {4, 1}, {2, 1}, {2, 3}, {1, 3}}, 48, true));
+  // The sides that hold `p` of the planes at some heights and the cylinders of some radii.
+  const auto filled_around = [&f](const Vec3& p, std::vector<double> heights,
+                                  std::vector<double> radii) {
+    Term term;
+    for (std::size_t k = 0; k < f.columns.halfspaces(); ++k) {
+      const Surface& s = f.part.surfaces.halfspaces[k].surface;
+      const bool is_plane = s.kind == SurfaceKind::Plane;
+      const double size = is_plane ? s.offset * s.axis.z() : s.radius;
+      const auto& sizes = is_plane ? heights : radii;
+      const auto is_size = [&](double x) { return std::abs(x - size) < 0.01; };
+      if (std::none_of(sizes.begin(), sizes.end(), is_size)) continue;
+      term.literals.push_back({static_cast<int>(k), s.signed_distance(p) < 0});
+    }
+    term.cost = term_cost(term.literals, f.combinability);
+    return with_cover(f.columns, term);
+  };
+  DecisionList list{
+      {filled_around({1.5, 0, 2}, {0, 3}, {1, 2}), filled_around({3, 0, 0.5}, {0, 1}, {1, 2, 4})},
+      false};
+  REQUIRE(is_right(f.space, list.items, list.base));
+  REQUIRE(list.cost() == 5);
+  REQUIRE(pull_out_cuts(f.space, list));
+  CHECK(list.cost() == 3);
+  CHECK(list.items.size() == 3);
+  CHECK_FALSE(list.items.front()->fills);
+  CHECK(is_right(f.space, list.items, list.base));
+  CHECK_FALSE(pull_out_cuts(f.space, list));
 }
 
 TEST_CASE("improving keeps a list right and never makes it dearer") {
