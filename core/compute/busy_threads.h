@@ -8,20 +8,20 @@ namespace hewn {
 class BusyThread {
  public:
   BusyThread() {
-    if (depth_++ == 0) count_.fetch_add(1, std::memory_order_relaxed);
+    if (depth++ == 0) busy.fetch_add(1, std::memory_order_relaxed);
   }
   ~BusyThread() {
-    if (--depth_ == 0) count_.fetch_sub(1, std::memory_order_relaxed);
+    if (--depth == 0) busy.fetch_sub(1, std::memory_order_relaxed);
   }
   BusyThread(const BusyThread&) = delete;
   BusyThread& operator=(const BusyThread&) = delete;
 
   /// Of all loops; already another number when it is read, so that only speed may depend on it.
-  static int count() { return count_.load(std::memory_order_relaxed); }
+  static int count() { return busy.load(std::memory_order_relaxed); }
 
  private:
-  static inline std::atomic<int> count_{0};
-  static inline thread_local int depth_ = 0;
+  static inline std::atomic<int> busy{0};
+  static inline thread_local int depth = 0;
 };
 
 }  // namespace hewn
