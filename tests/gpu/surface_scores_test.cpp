@@ -28,6 +28,14 @@ Scored random_scores(std::size_t primitives, std::size_t samples, Rng& rng) {
   return all;
 }
 
+SurfaceScores table_of(const Scored& scores) {
+  SurfaceScores table(scores.size(), scores[0].size());
+  for (std::size_t k = 0; k < scores.size(); ++k) {
+    for (std::size_t i = 0; i < scores[k].size(); ++i) table.set(k, i, scores[k][i]);
+  }
+  return table;
+}
+
 /// Distance, primitive and whether it is turned, at one sample after the other.
 std::uint64_t scored_plainly(const std::vector<Token>& tree, const Scored& scores) {
   struct Side {
@@ -71,10 +79,7 @@ TEST_CASE("trees score as a sample-by-sample evaluation says") {
   for (const std::size_t samples : {1, 63, 64, 65, 1000}) {
     constexpr std::size_t kPrimitives = 9;
     const Scored scores = random_scores(kPrimitives, samples, rng);
-    SurfaceScores table(kPrimitives, samples);
-    for (std::size_t k = 0; k < kPrimitives; ++k) {
-      for (std::size_t i = 0; i < samples; ++i) table.set(k, i, scores[k][i]);
-    }
+    SurfaceScores table = table_of(scores);
     TreeBatch batch;
     std::vector<std::vector<Token>> trees(60);
     for (std::size_t t = 0; t < trees.size(); ++t) {
@@ -97,10 +102,7 @@ TEST_CASE("samples that exceed the device's budget go through in parts") {
   constexpr std::size_t kPrimitives = 9;
   constexpr std::size_t kSamples = 1000;
   const Scored scores = random_scores(kPrimitives, kSamples, rng);
-  SurfaceScores table(kPrimitives, kSamples);
-  for (std::size_t k = 0; k < kPrimitives; ++k) {
-    for (std::size_t i = 0; i < kSamples; ++i) table.set(k, i, scores[k][i]);
-  }
+  SurfaceScores table = table_of(scores);
   TreeBatch batch;
   std::vector<std::vector<Token>> trees(20);
   for (auto& tree : trees) {

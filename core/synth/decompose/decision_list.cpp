@@ -89,6 +89,11 @@ bool replace_item(const SearchSpace& space, DecisionList& list, TermPtr& item, T
   return false;
 }
 
+TermPtr finished_term(const SearchSpace& space, Term term) {
+  term.cost = term_cost(term.literals, *space.combinability);
+  return with_cover(*space.columns, term);
+}
+
 TermPtr with_cover(const ColumnTable& columns, const Term& term) {
   auto fresh = std::make_shared<Term>(term);
   fresh->cover = columns.all();

@@ -35,6 +35,9 @@ void drop_redundant_items(const SearchSpace& space, std::vector<TermPtr>& items,
 /// the list stays right. `item` is one of the list's.
 bool replace_item(const SearchSpace& space, DecisionList& list, TermPtr& item, Term term);
 
+/// A term with its cost and cover, by its literals.
+TermPtr finished_term(const SearchSpace& space, Term term);
+
 /// Recomputes a term's cover for other columns.
 TermPtr with_cover(const ColumnTable& columns, const Term& term);
 

@@ -1,7 +1,6 @@
 #include "core/synth/decompose/pull_out.h"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -49,18 +48,12 @@ std::optional<DecisionList> pulled_out(const SearchSpace& space, const DecisionL
   Term cut;
   cut.fills = false;
   cut.literals = {{literal.halfspace, !literal.inside}};
-  cut.cost = term_cost(cut.literals, *space.combinability);
-  DecisionList changed{{with_cover(*space.columns, cut)}, list.base};
+  DecisionList changed{{finished_term(space, std::move(cut))}, list.base};
   for (const TermPtr& item : list.items) {
     const auto& l = item->literals;
     const bool has_it = item->fills && std::find(l.begin(), l.end(), literal) != l.end();
-    if (!has_it || l.size() < 2) {
-      changed.items.push_back(item);
-      continue;
-    }
-    Term less = without(*item, literal);
-    less.cost = term_cost(less.literals, *space.combinability);
-    changed.items.push_back(with_cover(*space.columns, less));
+    const bool is_less = has_it && l.size() > 1;
+    changed.items.push_back(is_less ? finished_term(space, without(*item, literal)) : item);
   }
   if (!is_right(space, changed.items, changed.base)) return std::nullopt;
   widen(space, changed);

@@ -27,8 +27,7 @@ bool rebase_list(const SearchSpace& space, DecisionList& list) {
     }
   }
   if (whole.literals.empty()) return false;
-  whole.cost = term_cost(whole.literals, *space.combinability);
-  changed.items.push_back(with_cover(*space.columns, whole));
+  changed.items.push_back(finished_term(space, std::move(whole)));
   if (changed.cost() >= list.cost() || !is_right(space, changed.items, false)) return false;
   list = std::move(changed);
   return true;

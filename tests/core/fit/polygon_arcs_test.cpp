@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "core/fit/surface_set.h"
+#include "tests/core/fit/fitted_arc.h"
 
 namespace hewn {
 namespace {
@@ -25,21 +26,11 @@ Vec3 on_outline(double radius, int sides, double side, double z) {
 
 /// A cylinder along z, fitted to all vertices of an arc.
 FitItem arc_item(double radius, int sides, const std::vector<double>& places) {
-  FitItem item;
+  std::vector<Vec3> points;
   for (const double z : {0.0, 5.0}) {
-    for (const double p : places) item.points.push_back(on_outline(radius, sides, p, z));
+    for (const double p : places) points.push_back(on_outline(radius, sides, p, z));
   }
-  item.surface.kind = SurfaceKind::Cylinder;
-  item.surface.point = kCenter;
-  item.surface.radius = radius;
-  FitSettings settings;
-  settings.keep_axis = true;
-  settings.max_iterations = 50;
-  settings.min_decrease = 1e-12;
-  refine_surface(item.surface, {item.points}, settings);
-  item.sigma = rms_distance(item.surface, item.points);
-  item.direction = 0;
-  return item;
+  return testing::fitted_arc(std::move(points), kCenter, radius);
 }
 
 void settle(FitItem& item) {

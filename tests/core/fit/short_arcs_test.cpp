@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "core/fit/surface_set.h"
+#include "tests/core/fit/fitted_arc.h"
 
 namespace hewn {
 namespace {
@@ -20,23 +21,12 @@ Vec3 at(const Vec3& center, double radius, double degrees, double z) {
 /// A cylinder along z, fitted to what the vertices of an arc tell.
 FitItem arc_item(const Vec3& center, double radius, const std::vector<double>& on_circle,
                  const std::vector<double>& on_chords, double depth = 0.015) {
-  FitItem item;
+  std::vector<Vec3> points;
   for (const double z : {0.0, 6.0}) {
-    for (const double a : on_circle) item.points.push_back(at(center, radius, a, z));
-    for (const double a : on_chords) item.points.push_back(at(center, radius - depth, a, z));
+    for (const double a : on_circle) points.push_back(at(center, radius, a, z));
+    for (const double a : on_chords) points.push_back(at(center, radius - depth, a, z));
   }
-  item.surface.kind = SurfaceKind::Cylinder;
-  item.surface.point = center;
-  item.surface.radius = radius;
-  FitSettings settings;
-  settings.keep_axis = true;
-  settings.max_iterations = 50;
-  settings.min_decrease = 1e-12;
-  refine_surface(item.surface, {item.points}, settings);
-  item.sigma = rms_distance(item.surface, item.points);
-  item.deviation = fit_deviation(item.surface, item.points, item.sigma, true);
-  item.direction = 0;
-  return item;
+  return testing::fitted_arc(std::move(points), center, radius);
 }
 
 /// What lies between the teeth of a gear, `step` degrees apart.

@@ -65,8 +65,7 @@ TEST_CASE("a box less all around a washer becomes a disc less its hole") {
       Term cut;
       cut.fills = false;
       cut.literals = {{static_cast<int>(k), inside}};
-      cut.cost = term_cost(cut.literals, f.combinability);
-      const TermPtr item = with_cover(f.columns, cut);
+      const TermPtr item = finished_term(f.space, cut);
       Word held = 0;
       for (std::size_t i = 0; i < f.columns.words(); ++i) {
         held |= item->cover[i] & f.columns.wanted()[i];
@@ -99,8 +98,7 @@ TEST_CASE("a bore that hub and flange share is cut once, and the flange goes thr
       if (std::none_of(sizes.begin(), sizes.end(), is_size)) continue;
       term.literals.push_back({static_cast<int>(k), s.signed_distance(p) < 0});
     }
-    term.cost = term_cost(term.literals, f.combinability);
-    return with_cover(f.columns, term);
+    return finished_term(f.space, term);
   };
   DecisionList list{
       {filled_around({1.5, 0, 2}, {0, 3}, {1, 2}), filled_around({3, 0, 0.5}, {0, 1}, {1, 2, 4})},
