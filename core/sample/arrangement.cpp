@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <numeric>
 #include <utility>
 
 #include "core/base/rng.h"
@@ -10,6 +10,7 @@
 #include "core/csg/tree_ray.h"
 #include "core/sample/arrangement_lines.h"
 #include "core/sample/arrangement_walk.h"
+#include "core/sample/crossings.h"
 
 namespace hewn {
 namespace {
@@ -28,8 +29,7 @@ std::vector<std::uint64_t> literal_keys(std::size_t literals) {
 struct Scene : Walkable {
   const ArrangementOptions& options;
   std::uint64_t seed;
-  std::vector<std::vector<FacePlane>> planes;   ///< of each literal
-  std::vector<std::pair<int, int>> neighbours;  ///< literals whose bounds meet
+  std::size_t edges_known_from;  ///< the edges of literals from this one on are known
 };
 
 Vec3 point_in(const Box3& box, Rng& rng) {
@@ -39,8 +39,6 @@ Vec3 point_in(const Box3& box, Rng& rng) {
 }
 
 constexpr int kLinesPerChunk = 200;
-/// Pairs of planes looked at for each whose common line meets both literals.
-constexpr std::size_t kTriesPerCrossing = 8;
 
 /// Through two random points of a literal's box, or of the common box.
 void walk_volume(const Scene& scene, std::size_t chunk, Finds& finds) {
@@ -56,113 +54,22 @@ void walk_volume(const Scene& scene, std::size_t chunk, Finds& finds) {
   }
 }
 
-/// In rounds, until one finds nothing new.
-void walk_faces(const Scene& scene, std::size_t literal, Finds& finds) {
-  constexpr int kRounds = 4;
-  const auto share = [](int count) { return (count + kRounds - 1) / kRounds; };
-  Rng rng(scene.seed, 2 * literal + 1);
+constexpr int kRounds = 4;
+
+/// A share of the lines along a literal's faces; in the first round, all along its edges, too.
+void walk_faces(const Scene& scene, std::size_t literal, int round, Finds& finds) {
+  const auto up_to = [](int count, int rounds) { return (count * rounds + kRounds - 1) / kRounds; };
+  const auto share = [&](int count) { return up_to(count, round + 1) - up_to(count, round); };
+  const Literal& s = scene.arrangement.literals[literal];
+  // Of a large mesh's edges only some are walked, other ones each time.
+  const bool has_edges = literal < scene.edges_known_from || s.kind == SolidKind::Polyhedron;
+  const ProbeOptions options{scene.arrangement.resolution, share(scene.options.lines_per_face),
+                             share(scene.options.curves_per_face), has_edges && round == 0};
+  Rng rng(scene.seed, 2 * (kRounds * literal + static_cast<std::size_t>(round)) + 1);
   Walker walker(scene, finds);
-  for (int round = 0; round < kRounds; ++round) {
-    const ProbeOptions options{scene.arrangement.resolution, share(scene.options.lines_per_face),
-                               share(scene.options.curves_per_face), round == 0};
-    const Probes probes = probes_of(scene.arrangement.literals[literal], options, rng);
-    const std::size_t before = finds.points.size();
-    for (const ProbeLine& line : probes.lines) walker.line(line);
-    for (const ProbeCircle& circle : probes.circles) walker.circle(circle);
-    if (finds.points.size() == before) return;
-  }
-}
-
-/// Pairs of literals that may cut each other, the second from `first` on.
-std::vector<std::pair<int, int>> neighbours_of(const Arrangement& arrangement, std::size_t first) {
-  std::vector<std::pair<int, int>> pairs;
-  const Vec3 margin = Vec3::Constant(2 * arrangement.resolution);
-  for (std::size_t b = first; b < arrangement.bounds.size(); ++b) {
-    const Vec3 lo = arrangement.bounds[b].box.lo - margin;
-    const Vec3 hi = arrangement.bounds[b].box.hi + margin;
-    for (std::size_t a = 0; a < b; ++a) {
-      const Box3& other = arrangement.bounds[a].box;
-      if ((other.lo.array() > hi.array()).any() || (other.hi.array() < lo.array()).any()) continue;
-      pairs.emplace_back(static_cast<int>(a), static_cast<int>(b));
-    }
-  }
-  return pairs;
-}
-
-/// The common line of two planes of different literals.
-struct Crossing {
-  const FacePlane* p;
-  const FacePlane* q;
-  Vec3 along;  ///< not of length 1: its square is that of the sine between the planes
-
-  /// A point at these distances from the planes, along their normals.
-  Vec3 point(double beyond_p, double beyond_q) const {
-    const double at_p = p->normal.dot(p->point) + beyond_p;
-    const double at_q = q->normal.dot(q->point) + beyond_q;
-    return (at_p * q->normal.cross(along) + at_q * along.cross(p->normal)) / along.squaredNorm();
-  }
-};
-
-bool line_meets(const Box3& box, double margin, const Vec3& point, const Vec3& direction) {
-  double enter = -kInfinity;
-  double leave = kInfinity;
-  for (int k = 0; k < 3; ++k) {
-    const double a = (box.lo[k] - margin - point[k]) / direction[k];
-    const double b = (box.hi[k] + margin - point[k]) / direction[k];
-    if (std::isnan(a) || std::isnan(b)) continue;  // within a side's plane
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
-  }
-  return enter <= leave;
-}
-
-/// Nothing when the planes are parallel or their line passes one of the literals by.
-std::optional<Crossing> crossing_of(const Arrangement& arrangement, std::pair<int, int> literals,
-                                    const FacePlane& p, const FacePlane& q) {
-  const Crossing crossing{&p, &q, p.normal.cross(q.normal)};
-  if (crossing.along.squaredNorm() < 1e-10) return std::nullopt;
-  const Vec3 point = crossing.point(0, 0);
-  for (const int k : {literals.first, literals.second}) {
-    const LiteralBounds& bounds = arrangement.bounds[static_cast<std::size_t>(k)];
-    const double margin = 2 * arrangement.resolution;
-    if (!line_meets(bounds.box, margin, point, crossing.along)) return std::nullopt;
-  }
-  return crossing;
-}
-
-/// All pairs of planes of neighbours that meet when they are few, else random ones.
-std::vector<Crossing> crossings_of(const Scene& scene, std::size_t most) {
-  const auto planes_of_literal = [&](int k) -> const std::vector<FacePlane>& {
-    return scene.planes[static_cast<std::size_t>(k)];
-  };
-  std::size_t count = 0;
-  for (const auto& [a, b] : scene.neighbours) {
-    count += planes_of_literal(a).size() * planes_of_literal(b).size();
-  }
-  std::vector<Crossing> out;
-  const auto offer = [&](std::pair<int, int> pair, const FacePlane& p, const FacePlane& q) {
-    if (const auto crossing = crossing_of(scene.arrangement, pair, p, q)) out.push_back(*crossing);
-  };
-  if (count <= kTriesPerCrossing * most) {
-    for (const auto& pair : scene.neighbours) {
-      for (const FacePlane& p : planes_of_literal(pair.first)) {
-        for (const FacePlane& q : planes_of_literal(pair.second)) offer(pair, p, q);
-      }
-    }
-    if (out.size() <= most) return out;
-    out.clear();
-  }
-  Rng rng(scene.seed ^ 0xC0FFEE, 0);
-  for (std::size_t i = 0; i < kTriesPerCrossing * most && out.size() < most; ++i) {
-    const auto& pair = scene.neighbours[rng.below(scene.neighbours.size())];
-    const auto& of_a = planes_of_literal(pair.first);
-    const auto& of_b = planes_of_literal(pair.second);
-    if (of_a.empty() || of_b.empty()) continue;
-    const FacePlane& p = of_a[rng.below(of_a.size())];
-    const FacePlane& q = of_b[rng.below(of_b.size())];
-    offer(pair, p, q);
-  }
-  return out;
+  const Probes probes = probes_of(s, options, rng);
+  for (const ProbeLine& line : probes.lines) walker.line(line);
+  for (const ProbeCircle& circle : probes.circles) walker.circle(circle);
 }
 
 /// Along the common line of two planes, in all four wedges.
@@ -174,49 +81,81 @@ void walk_crossing(const Scene& scene, const Crossing& crossing, Walker& walker)
   }
 }
 
-/// Adds what the chunks found to what is known. Returns how much of it is new.
-std::size_t merge_finds(const std::vector<Finds>& chunks, std::size_t most, Finds& all) {
-  const std::size_t before = all.points.size();
-  for (const Finds& f : chunks) {
-    for (std::size_t i = 0; i < f.points.size() && all.points.size() < most; ++i) {
-      all.add(f.points[i], f.keys[i]);
-    }
+/// Cells found so far that nobody knew before.
+class NewCells {
+ public:
+  NewCells(KeySet& known, std::size_t most) : known_(known), most_(most) {}
+
+  /// Walks the chunks, which all see what is known before, and joins what they find. Calls
+  /// `walk(i, finds)`. Returns which chunks found anything.
+  template <class Walk>
+  std::vector<char> walk_chunks(std::size_t chunks, const RunContext& run, const Walk& walk) {
+    std::vector<Finds> finds(chunks);
+    for_each_index(run.threads, chunks, [&](std::size_t i) {
+      if (!run.is_cancelled()) walk(i, finds[i]);
+    });
+    std::vector<char> has_new(chunks, 0);
+    for (std::size_t i = 0; i < chunks; ++i) has_new[i] = join(finds[i]) ? 1 : 0;
+    return has_new;
   }
-  return all.points.size() - before;
+
+  std::vector<Vec3> take_points() { return std::move(points_); }
+
+ private:
+  bool join(const Finds& finds) {
+    const std::size_t before = points_.size();
+    for (std::size_t i = 0; i < finds.points.size() && points_.size() < most_; ++i) {
+      if (known_.insert(finds.keys[i])) points_.push_back(finds.points[i]);
+    }
+    return points_.size() > before;
+  }
+
+  KeySet& known_;
+  std::size_t most_;
+  std::vector<Vec3> points_;
+};
+
+/// Along the faces of every literal from `first` on, in rounds until one finds nothing new.
+void walk_along_faces(const Scene& scene, std::size_t first, const RunContext& run,
+                      NewCells& cells) {
+  std::vector<std::size_t> literals(scene.arrangement.literals.size() - first);
+  std::iota(literals.begin(), literals.end(), first);
+  for (int round = 0; round < kRounds && !literals.empty(); ++round) {
+    const auto has_new = cells.walk_chunks(literals.size(), run, [&](std::size_t i, Finds& finds) {
+      walk_faces(scene, literals[i], round, finds);
+    });
+    std::vector<std::size_t> rest;
+    for (std::size_t i = 0; i < literals.size(); ++i) {
+      if (has_new[i]) rest.push_back(literals[i]);
+    }
+    literals = std::move(rest);
+  }
 }
 
-/// Along the faces of every literal from `first` on, and where faces of two literals cross.
-void walk_along_faces(const Scene& scene, std::size_t first, const RunContext& run, Finds& all) {
-  const std::size_t faces = scene.arrangement.literals.size() - first;
-  const auto crossings =
-      crossings_of(scene, static_cast<std::size_t>(std::max(0, scene.options.crossing_lines)));
+/// Along lines where faces of two literals cross.
+void walk_along_crossings(const Scene& scene, const std::vector<Crossing>& crossings,
+                          const RunContext& run, NewCells& cells) {
   const std::size_t chunks = (crossings.size() + kLinesPerChunk - 1) / kLinesPerChunk;
-  std::vector<Finds> finds(faces + chunks);
-  for_each_index(run.threads, finds.size(), [&](std::size_t i) {
-    if (run.is_cancelled()) return;
-    if (i < faces) {
-      walk_faces(scene, first + i, finds[i]);
-      return;
+  cells.walk_chunks(chunks, run, [&](std::size_t i, Finds& finds) {
+    Walker walker(scene, finds);
+    const std::size_t end = std::min((i + 1) * kLinesPerChunk, crossings.size());
+    for (std::size_t k = i * kLinesPerChunk; k < end; ++k) {
+      walk_crossing(scene, crossings[k], walker);
     }
-    Walker walker(scene, finds[i]);
-    const std::size_t begin = (i - faces) * kLinesPerChunk;
-    const std::size_t end = std::min(begin + kLinesPerChunk, crossings.size());
-    for (std::size_t k = begin; k < end; ++k) walk_crossing(scene, crossings[k], walker);
   });
-  merge_finds(finds, scene.options.most_cells, all);
 }
 
 /// Random lines, batch by batch, until one finds nothing new.
-void walk_through_volume(const Scene& scene, const RunContext& run, Finds& all) {
+void walk_through_volume(const Scene& scene, const RunContext& run, NewCells& cells) {
   constexpr std::size_t kChunksPerBatch = 4;
   const std::size_t most =
       1 + static_cast<std::size_t>(scene.options.volume_lines) / kLinesPerChunk;
   for (std::size_t done = 0; done < most && !run.is_cancelled();) {
-    std::vector<Finds> finds(std::min(kChunksPerBatch, most - done));
-    for_each_index(run.threads, finds.size(),
-                   [&](std::size_t i) { walk_volume(scene, done + i, finds[i]); });
-    done += finds.size();
-    if (merge_finds(finds, scene.options.most_cells, all) == 0) return;
+    const std::size_t chunks = std::min(kChunksPerBatch, most - done);
+    const auto has_new = cells.walk_chunks(
+        chunks, run, [&](std::size_t i, Finds& finds) { walk_volume(scene, done + i, finds); });
+    done += chunks;
+    if (std::find(has_new.begin(), has_new.end(), 1) == has_new.end()) return;
   }
 }
 
@@ -254,6 +193,8 @@ bool classify(const Arrangement& arrangement, const Vec3& p, Word* signature) {
 
 ArrangementSampler::ArrangementSampler(std::vector<Literal> literals, double scale) {
   out_.literals = std::move(literals);
+  keys_ = literal_keys(out_.literals.size());
+  edges_known_from_ = crossings_known_from_ = out_.literals.size();
   out_.stride = std::max<std::size_t>(1, (out_.literals.size() + 63) / 64);
   out_.scale = scale;
   for (const Literal& s : out_.literals) {
@@ -277,6 +218,9 @@ std::size_t ArrangementSampler::find(const Word* signature) const {
 bool ArrangementSampler::insert(const Vec3& point, const Word* signature) {
   if (find(signature) < out_.size()) return false;
   by_hash_.emplace(hash_words({signature, out_.stride}), out_.size());
+  std::uint64_t key = 0;
+  for_each_bit({signature, out_.stride}, [&](std::size_t k) { key ^= keys_[k]; });
+  known_.insert(key);
   out_.points.push_back(point);
   out_.signatures.insert(out_.signatures.end(), signature, signature + out_.stride);
   return true;
@@ -309,20 +253,22 @@ Result<std::size_t> ArrangementSampler::sample(const ArrangementOptions& options
   Tree tree;
   tree.literals = out_.literals;
   const TreeRays rays(tree);
-  Scene scene{{out_, rays, common_box(out_), literal_keys(out_.literals.size())},
-              options,
-              run.seed + 977 * options.stream,
-              {},
-              {}};
-  for (const Literal& s : out_.literals) scene.planes.push_back(planes_of(s));
-  const std::size_t literals = out_.literals.size();
-  const std::size_t first = std::min(options.first_literal, literals);
-  scene.neighbours = neighbours_of(out_, first);
+  const Scene scene{{out_, rays, keys_, known_, common_box(out_)},
+                    options,
+                    run.seed + 977 * options.stream,
+                    edges_known_from_};
+  const std::size_t first = std::min(options.first_literal, out_.literals.size());
+  const Crossings crossings = find_crossings(
+      out_, first, std::max(first, crossings_known_from_),
+      static_cast<std::size_t>(std::max(0, options.crossing_lines)), Rng(scene.seed ^ 0xC0FFEE));
   // Lines tell cells by counting crossings; the points themselves have the last word.
-  Finds all;
-  walk_along_faces(scene, first, run, all);
-  walk_through_volume(scene, run, all);
-  std::vector<Vec3> points = std::move(all.points);
+  NewCells cells(known_, options.most_cells);
+  walk_along_faces(scene, first, run, cells);
+  walk_along_crossings(scene, crossings.found, run, cells);
+  walk_through_volume(scene, run, cells);
+  edges_known_from_ = std::min(edges_known_from_, first);
+  if (crossings.are_all) crossings_known_from_ = std::min(crossings_known_from_, first);
+  std::vector<Vec3> points = cells.take_points();
   const Vec3 far = scene.box.hi + Vec3::Constant(out_.scale);
   points.push_back(far);
   const std::size_t added = add(points, run);

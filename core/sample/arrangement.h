@@ -9,6 +9,7 @@
 #include "core/base/run_context.h"
 #include "core/compute/bits.h"
 #include "core/csg/bounds_table.h"
+#include "core/sample/key_set.h"
 
 namespace hewn {
 
@@ -73,6 +74,10 @@ class ArrangementSampler {
   bool insert(const Vec3& point, const Word* signature);
 
   Arrangement out_;
+  std::vector<std::uint64_t> keys_;   ///< of each literal
+  KeySet known_;                      ///< keys of cells that lines need not find again
+  std::size_t edges_known_from_ = 0;  ///< the edges of literals from this one on have been walked
+  std::size_t crossings_known_from_ = 0;  ///< all crossings of later ones have been, too
   std::unordered_multimap<std::uint64_t, std::size_t> by_hash_;  // looked up only, never iterated
 };
 

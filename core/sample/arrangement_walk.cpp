@@ -36,8 +36,12 @@ void Walker::line(const ProbeLine& probe) {
     const double next = is_last ? events_[i].first + reach * 0.01 : events_[i + 1].first;
     if (next - events_[i].first < shortest) continue;
     const Vec3 p = from + (events_[i].first + next) / 2 * probe.direction;
-    finds_.add(p, key);
+    find(p, key);
   }
+}
+
+void Walker::find(const Vec3& p, std::uint64_t key) {
+  if (!place_.known.contains(key)) finds_.add(p, key);
 }
 
 void Walker::circle(const ProbeCircle& probe) {
@@ -107,9 +111,9 @@ void Walker::take(const Vec3& p, double at, Sample& out) {
   }
   out.is_certain = true;
   // Mostly the cell of the sample before.
-  if (!finds_.keys.empty() && key == last_key_) return;
+  if (key == last_key_) return;
   last_key_ = key;
-  finds_.add(p, key);
+  find(p, key);
 }
 
 void Walker::refine(const ProbeCircle& probe, double from, double to, const Sample& a,

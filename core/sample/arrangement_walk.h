@@ -1,13 +1,13 @@
 #pragma once
 /// Walks through an arrangement: the cells along lines and circles. Internal to core/sample.
 #include <cstdint>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
 #include "core/csg/tree_ray.h"
 #include "core/sample/arrangement.h"
 #include "core/sample/arrangement_lines.h"
+#include "core/sample/key_set.h"
 
 namespace hewn {
 
@@ -17,10 +17,10 @@ namespace hewn {
 struct Finds {
   std::vector<Vec3> points;
   std::vector<std::uint64_t> keys;
-  std::unordered_set<std::uint64_t> known;  // looked up only
+  KeySet known;
 
   void add(const Vec3& p, std::uint64_t key) {
-    if (!known.insert(key).second) return;
+    if (!known.insert(key)) return;
     points.push_back(p);
     keys.push_back(key);
   }
@@ -29,9 +29,10 @@ struct Finds {
 /// What is walked through.
 struct Walkable {
   const Arrangement& arrangement;
-  const TreeRays& rays;             ///< of its literals
-  Box3 box;                         ///< of all literals
-  std::vector<std::uint64_t> keys;  ///< of each literal
+  const TreeRays& rays;                    ///< of its literals
+  const std::vector<std::uint64_t>& keys;  ///< of each literal
+  const KeySet& known;                     ///< cells that need not be found
+  Box3 box;                                ///< of all literals
 };
 
 /// Nearer to a surface than this share of the scale, rounding may decide the side.
@@ -68,6 +69,7 @@ class Walker {
   void find_near(const ProbeCircle& probe);
   double distance_of(Near& near, const Vec3& p, double at) const;
   void take(const Vec3& p, double at, Sample& out);
+  void find(const Vec3& p, std::uint64_t key);
   void refine(const ProbeCircle& probe, double from, double to, const Sample& a, const Sample& b,
               int depth);
 
@@ -79,7 +81,7 @@ class Walker {
   double radius_ = 0;  ///< of the circle
   Sample last_, here_;
   Sample middle_[kDeepest];     ///< by depth
-  std::uint64_t last_key_ = 0;  ///< of the last sample, once there are finds
+  std::uint64_t last_key_ = 0;  ///< of the last sample
 };
 
 }  // namespace hewn

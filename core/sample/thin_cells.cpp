@@ -36,8 +36,9 @@ Vec3 hop(const TreeRays& literals, const Vec3& p, double scale, Rng& rng) {
 }  // namespace
 
 std::vector<CellDepth> find_thin_cells(const Tree& tree, const Arrangement& arrangement,
-                                       std::size_t first, double depth, const RunContext& run) {
-  std::vector<CellDepth> depths(arrangement.size() - first);
+                                       std::span<const std::size_t> cells, double depth,
+                                       const RunContext& run) {
+  std::vector<CellDepth> depths(cells.size());
   const TreeRays rays(tree);
   Tree all;
   all.literals = arrangement.literals;
@@ -45,8 +46,8 @@ std::vector<CellDepth> find_thin_cells(const Tree& tree, const Arrangement& arra
   const auto is_deep = [&](const Vec3& p) { return distance_along_rays(rays, p, depth) > depth; };
   for_each_chunk(run.threads, depths.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && !run.is_cancelled(); ++i) {
-      Rng rng(run.seed, first + i);
-      Vec3 p = arrangement.points[first + i];
+      Rng rng(run.seed, cells[i]);
+      Vec3 p = arrangement.points[cells[i]];
       bool found_deep = is_deep(p);
       for (int k = 0; k < kHops && !found_deep; ++k) {
         p = hop(literals, p, arrangement.scale, rng);

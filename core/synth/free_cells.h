@@ -1,7 +1,7 @@
 #pragma once
 /// Which cells a tolerance leaves free.
 #include <cstddef>
-#include <map>
+#include <optional>
 #include <vector>
 
 #include "core/base/run_context.h"
@@ -20,7 +20,7 @@ class FreeCells {
   explicit FreeCells(const Tree& tree) : tree_(tree) {}
 
   /// Takes the free ones out of `cells`. Points nearer to the surface than `depth` are free.
-  /// Cost: some lines through each cell that is new.
+  /// Cost: some lines through each of them that was not looked at before.
   void remove_from(Column& cells, const ArrangementSampler& sampler, double depth,
                    const RunContext& run);
   /// The cell of a point that lies deep after all is not free.
@@ -28,17 +28,17 @@ class FreeCells {
   /// After a change of the cells' numbers.
   void renumber(const ArrangementSampler& sampler);
 
-  /// Of each cell that is not free a point that lies deep in it.
+  /// Of each cell that was looked at and is not free, a point that lies deep in it.
   std::vector<Vec3> deep_points() const;
+  /// Free ones among those that were looked at.
   std::size_t count() const;
 
  private:
   void mark(const Vec3& point, const ArrangementSampler& sampler);
 
   const Tree& tree_;
-  std::vector<CellDepth> depths_;  ///< by cell, as far as looked at
-  std::vector<Vec3> held_points_;
-  std::map<std::size_t, Vec3> held_;  ///< cells with such a point
+  std::vector<std::optional<CellDepth>> depths_;  ///< by cell; none: not looked at
+  std::vector<Vec3> held_;                        ///< points that lie deep
 };
 
 }  // namespace hewn

@@ -86,6 +86,7 @@ ArrangementOptions fresh_lines(ArrangementOptions options, int round) {
   options.stream = static_cast<std::uint64_t>(round) + 1;
   options.lines_per_face = options.lines_per_face / 2 + 1;
   options.curves_per_face = options.curves_per_face / 2 + 1;
+  options.crossing_lines /= 2;
   return options;
 }
 
@@ -189,16 +190,18 @@ class Optimiser {
   }
 
   bool is_rebuilt_right() {
-    CellColumns cells(sampler_.arrangement());
-    const Column cared = care(cells);
+    const CellColumns cells(sampler_.arrangement());
     Formula wanted = input_formula();
     Formula other = formula_of(*rebuilt_, rebuilt_literal_of_);
     evaluate(wanted, cells);
     evaluate(other, cells);
-    return count_differences(wanted.value, other.value, cared) == 0;
+    Column wrong = cells.all();
+    for (std::size_t w = 0; w < wrong.size(); ++w) wrong[w] &= wanted.value[w] ^ other.value[w];
+    remove_free(wrong);
+    return std::all_of(wrong.begin(), wrong.end(), [](Word word) { return word == 0; });
   }
 
-  /// Of every cell its point, and one that lies deep where that is another one.
+  /// Of every cell its point, and where a cell that is not free was wrong one that lies deep.
   std::vector<Vec3> known_points() const {
     std::vector<Vec3> points = sampler_.arrangement().points;
     const std::vector<Vec3> deep = free_.deep_points();
@@ -253,10 +256,14 @@ class Optimiser {
   /// The cells that must keep their value.
   Column care(const CellColumns& cells) {
     Column care = cells.all();
-    if (options_.tolerance <= 0) return care;
-    StageTimer timer(out_.seconds, "thin");
-    free_.remove_from(care, sampler_, depth(), run_);
+    remove_free(care);
     return care;
+  }
+
+  void remove_free(Column& cells) {
+    if (options_.tolerance <= 0) return;
+    StageTimer timer(out_.seconds, "thin");
+    free_.remove_from(cells, sampler_, depth(), run_);
   }
 
   Result<Formula> search(const CellColumns& cells) {
@@ -377,7 +384,6 @@ class Optimiser {
     LiteralSet both;
     both.add(input_);
     ArrangementOptions lines = fresh_lines(lines_, 0);
-    lines.crossing_lines /= 2;
     lines.first_literal = both.literals().size();
     both.add(proved_.tree);
     ArrangementSampler sampler(both.literals(), sampler_.arrangement().scale);

@@ -25,14 +25,33 @@ RebuildOptions options_for(double depth) {
   return options;
 }
 
-/// A first look: enough to find most of what is wrong. The tree is checked again when it has been
-/// rewritten.
-ArrangementOptions few(ArrangementOptions lines) {
+/// Enough to find most of what is wrong. The tree is checked again when it has been rewritten.
+ArrangementOptions first_look(ArrangementOptions lines, std::size_t first_literal) {
   lines.volume_lines /= 6;
   lines.crossing_lines /= 10;
   lines.lines_per_face = 1;
   lines.curves_per_face = 1;
+  lines.first_literal = first_literal;
   return lines;
+}
+
+ArrangementOptions second_look(ArrangementOptions lines, std::size_t first_literal) {
+  lines.volume_lines /= 3;
+  lines.crossing_lines /= 3;
+  lines.first_literal = first_literal;
+  lines.stream += 1000;
+  return lines;
+}
+
+/// Those literals of the tree that are among `others`.
+Tree shared(const Tree& tree, LiteralSet others) {
+  Tree shared;
+  const std::size_t count = others.literals().size();
+  const std::vector<int> index = others.add(tree);
+  for (std::size_t k = 0; k < index.size(); ++k) {
+    if (static_cast<std::size_t>(index[k]) < count) shared.literals.push_back(tree.literals[k]);
+  }
+  return shared;
 }
 
 }  // namespace
@@ -64,27 +83,35 @@ Result<std::optional<RebuiltTree>> SecondStart::find(const std::vector<Vec3>& kn
   return std::optional<RebuiltTree>();
 }
 
-/// The tree with the cells between its primitives and the input's, when none refutes it.
+/// The tree with the cells between its primitives and the input's, when none refutes it. No line
+/// runs again along primitives around which all cells are known.
 Result<std::optional<RebuiltTree>> SecondStart::judged(const Tree& tree,
                                                        const std::vector<Vec3>& known,
-                                                       ArrangementOptions lines) {
+                                                       const ArrangementOptions& lines) {
   LiteralSet both;
   both.add(input_);
-  lines.first_literal = both.literals().size();
+  both.add(shared(tree, judged_));
+  const std::size_t well_known = both.literals().size();
+  both.add(shared(tree, glanced_));
+  const std::size_t hardly_known = both.literals().size();
   std::vector<int> literal_of = both.add(tree);
   ArrangementSampler sampler(both.literals(), scale_);
   sampler.add(known, run_);
-  ArrangementOptions second = lines;
-  second.volume_lines /= 3;
-  second.crossing_lines /= 3;
-  for (const ArrangementOptions& look : {few(lines), second}) {
-    const std::size_t before = sampler.arrangement().size();
+  std::size_t before = sampler.arrangement().size();
+  sampler.add(glimpses_, run_);
+  for (const bool is_first : {true, false}) {
+    const ArrangementOptions look =
+        is_first ? first_look(lines, hardly_known) : second_look(lines, well_known);
     if (auto more = sampler.sample(look, run_); !more) return more.error();
     const auto& points = sampler.arrangement().points;
     const std::vector<Vec3> fresh(points.begin() + static_cast<std::ptrdiff_t>(before),
                                   points.end());
+    before = points.size();
+    glanced_ = both;
+    glimpses_ = points;
     if (rebuilder_.refute(tree, fresh) > 0) return std::optional<RebuiltTree>();
   }
+  judged_ = both;
   return std::optional<RebuiltTree>(
       RebuiltTree{tree, std::move(both), std::move(literal_of), std::move(sampler)});
 }

@@ -28,16 +28,16 @@ class SecondStart {
   /// See `TreeRebuilder::least_literals`.
   int least_literals() { return rebuilder_.least_literals(); }
 
-  /// A tree that is right on `known`, as far as points there are not free, and on the cells that
-  /// lines along its primitives find. Nothing when none is found in time or it has more than
-  /// `most_literals`; then it is of no use to ask again.
-  /// Fails with: Cancelled. Deterministic for `run.seed`, for any number of threads.
+  /// A tree that is right on `known`, which hold all cells of the answer before, as far as points
+  /// there are not free, and on the cells that lines along its primitives find. Nothing when none
+  /// is found in time or it has more than `most_literals`; then it is of no use to ask again. Fails
+  /// with: Cancelled. Deterministic for `run.seed`, for any number of threads.
   Result<std::optional<RebuiltTree>> find(const std::vector<Vec3>& known,
                                           const ArrangementOptions& lines, int most_literals);
 
  private:
   Result<std::optional<RebuiltTree>> judged(const Tree& tree, const std::vector<Vec3>& known,
-                                            ArrangementOptions lines);
+                                            const ArrangementOptions& lines);
 
   const Tree& input_;
   std::vector<Vec3> points_;
@@ -46,6 +46,9 @@ class SecondStart {
   const RunContext& run_;
   TreeRebuilder rebuilder_;
   std::optional<Tree> last_;
+  LiteralSet judged_;           ///< whose cells the last answer came with
+  LiteralSet glanced_;          ///< whose cells a first look has found
+  std::vector<Vec3> glimpses_;  ///< those cells
   int round_ = 0;
 };
 
