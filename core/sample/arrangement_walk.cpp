@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/csg/literal_bounds.h"
+#include "core/sample/near_middle.h"
 
 namespace hewn {
 namespace {
@@ -35,7 +36,7 @@ void Walker::line(const ProbeLine& probe) {
     const bool is_last = i + 1 == events_.size();
     const double next = is_last ? events_[i].first + reach * 0.01 : events_[i + 1].first;
     if (next - events_[i].first < shortest) continue;
-    const Vec3 p = from + (events_[i].first + next) / 2 * probe.direction;
+    const Vec3 p = from + near_middle(events_[i].first, next) * probe.direction;
     find(p, key);
   }
 }

@@ -330,6 +330,19 @@ class TreeComparison {
   int depth_ = kSplitDepth;
 };
 
+/// To the faces, the edges and the corners of a cube: the first ones mostly meet something first.
+const std::array<Vec3, 26> kDirections = [] {
+  std::array<Vec3, 26> all;
+  std::size_t count = 0;
+  for (int sides = 1; sides <= 3; ++sides) {
+    for (int k = 0; k < 27; ++k) {
+      const Vec3 d(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+      if (d.squaredNorm() == sides) all[count++] = d.normalized();
+    }
+  }
+  return all;
+}();
+
 }  // namespace
 
 double distance_along_rays(const TreeRays& rays, const Vec3& p, double enough) {
@@ -337,12 +350,7 @@ double distance_along_rays(const TreeRays& rays, const Vec3& p, double enough) {
   const bool is_nearby = enough > 0;
   if (is_nearby && rays.look_around(p, enough, scratch) != Nearby::Surface) return kInfinity;
   double nearest = kInfinity;
-  for (int k = 0; k < 27; ++k) {
-    const int layer = k / 9;
-    const int row = k / 3 % 3;
-    Vec3 d(k % 3 - 1, row - 1, layer - 1);
-    if (d.squaredNorm() == 0) continue;
-    d.normalize();
+  for (const Vec3& d : kDirections) {
     const auto& stretches = is_nearby ? rays.cast_nearby(p, d, scratch) : rays.cast(p, d, scratch);
     if (stretches.empty()) continue;
     const TreeInterval& first = stretches.front();

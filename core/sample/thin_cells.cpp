@@ -7,6 +7,7 @@
 #include "core/compute/parallel.h"
 #include "core/csg/tree_ray.h"
 #include "core/sample/equivalence.h"
+#include "core/sample/near_middle.h"
 
 namespace hewn {
 namespace {
@@ -30,7 +31,7 @@ Vec3 hop(const TreeRays& literals, const Vec3& p, double scale, Rng& rng) {
       if (t > reach) after = std::min(after, t);
     }
   }
-  return p + ((before + after) / 2 - reach) * d;
+  return p + (near_middle(before, after) - reach) * d;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "core/synth/decompose/lower.h"
 #include "core/synth/decompose/relax.h"
 #include "core/synth/rebuild/boundary.h"
+#include "core/synth/rebuild/feature_points.h"
 #include "core/synth/rebuild/least_literals.h"
 
 namespace hewn {
@@ -23,6 +24,11 @@ constexpr double kUncertain = 2e-9;
 /// Distances of pairs from their surface, as shares of the scale.
 constexpr double kPairReach[] = {1e-5, 1e-4, 1e-3};
 constexpr double kMargin = 0.05;
+/// Points this deep, as a share of the depth that is free, have to be right: a feature that is just
+/// thick enough to matter shows to few points that are as deep as it gets.
+constexpr double kSureDepth = 0.75;
+/// In the feature of a point that refuted an answer.
+constexpr int kPointsBeside = 32;
 /// More surfaces and cells than a search over them is worth.
 constexpr std::size_t kMostSurfaces = 1000;
 
@@ -59,18 +65,27 @@ class TreeRebuilder::Search {
     return hewn::least_literals(bounding);
   }
 
-  std::size_t refute(const Tree& found, const std::vector<Vec3>& points) {
+  std::vector<LabelledPoint> labelled(const std::vector<Vec3>& points) const {
+    std::vector<LabelledPoint> out;
+    out.reserve(points.size());
+    for (const Vec3& p : points) out.push_back({p, inside_.contains(p)});
+    return out;
+  }
+
+  std::size_t refute(const Tree& found, const std::vector<LabelledPoint>& points, Take take) {
     const TreeInside other(found);
     std::size_t wrong = 0;
     std::vector<Vec3> telling;
-    for (const Vec3& p : points) {
-      const bool is_wrong = inside_.contains(p) != other.contains(p);
-      // Of cells that the table lacks the right ones, too: what mends one must not break others.
-      if ((!is_wrong && is_known_cell(p)) || !is_usable(p)) continue;
-      wrong += is_wrong ? 1 : 0;
+    for (const auto& [p, is_inside] : points) {
+      const bool is_wrong = is_inside != other.contains(p);
+      if (!is_wrong && (take == Take::Wrong || is_known_cell(p))) continue;
+      if (!is_usable(p)) continue;
       telling.push_back(p);
+      if (!is_wrong) continue;
+      ++wrong;
+      if (options_.depth > 0) take_feature_of(p, wrong, telling);
     }
-    add_points(telling);
+    add_points(labelled(telling));
     return wrong;
   }
 
@@ -183,14 +198,19 @@ class TreeRebuilder::Search {
   }
 
   bool is_usable(const Vec3& p) const {
-    return is_certain(p) && !is_free(rays_, p, options_.depth);
+    return is_certain(p) && !is_free(rays_, p, kSureDepth * options_.depth);
   }
 
-  void add_points(const std::vector<Vec3>& points) {
-    std::vector<LabelledPoint> labelled;
-    labelled.reserve(points.size());
-    for (const Vec3& p : points) labelled.push_back({p, inside_.contains(p)});
-    append_points(table_, surfaces_.halfspaces, labelled, run_);
+  /// Further points of the wall or the gap that `p` lies in.
+  void take_feature_of(const Vec3& p, std::size_t stream, std::vector<Vec3>& points) const {
+    Rng rng(run_.seed, 0xFEA7 + stream);
+    for (const Vec3& beside : points_beside(rays_, p, kPointsBeside, scale_, rng)) {
+      if (is_usable(beside)) points.push_back(beside);
+    }
+  }
+
+  void add_points(const std::vector<LabelledPoint>& points) {
+    append_points(table_, surfaces_.halfspaces, points, run_);
   }
 
   bool fill_table() {
@@ -214,7 +234,7 @@ class TreeRebuilder::Search {
       if (is_usable(p)) points.push_back(p);
     }
     add_pairs(points);
-    add_points(points);
+    add_points(labelled(points));
     return true;
   }
 
@@ -386,8 +406,13 @@ Result<std::optional<Tree>> TreeRebuilder::next(int most_literals) {
   return search_->next(most_literals);
 }
 
-std::size_t TreeRebuilder::refute(const Tree& found, const std::vector<Vec3>& points) {
-  return search_->refute(found, points);
+std::vector<LabelledPoint> TreeRebuilder::labelled(const std::vector<Vec3>& points) const {
+  return search_->labelled(points);
+}
+
+std::size_t TreeRebuilder::refute(const Tree& found, const std::vector<LabelledPoint>& points,
+                                  Take take) {
+  return search_->refute(found, points, take);
 }
 
 }  // namespace hewn

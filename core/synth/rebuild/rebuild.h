@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "core/base/run_context.h"
 #include "core/csg/tree.h"
+#include "core/sample/sample_table.h"
 #include "core/synth/decompose/list_search.h"
 
 namespace hewn {
@@ -40,9 +41,18 @@ class TreeRebuilder {
   /// Fails with: Cancelled. Deterministic for `run.seed`, for any number of threads.
   Result<std::optional<Tree>> next(int most_literals);
 
-  /// Of these points, takes those in which `found` is wrong into account, and those of cells that
-  /// are new. Returns how many are wrong.
-  std::size_t refute(const Tree& found, const std::vector<Vec3>& points);
+  /// The points as the given tree has them.
+  std::vector<LabelledPoint> labelled(const std::vector<Vec3>& points) const;
+
+  /// Which points an answer is told.
+  enum class Take {
+    Wrong,        ///< those in which it is wrong
+    WrongAndNew,  ///< also those of cells that are new: what mends one must not break others
+  };
+  /// Takes those of the points into account that are not free. With each that is wrong go some of
+  /// the same feature: what is just thick enough to matter is found place by place else. Returns
+  /// how many are wrong.
+  std::size_t refute(const Tree& found, const std::vector<LabelledPoint>& points, Take take);
 
  private:
   class Search;

@@ -7,9 +7,9 @@ namespace hewn {
 namespace {
 
 /// What is found is rewritten afterwards, so that less of a search does than for reconstruction:
-/// more starts, each for a shorter time. The freedom of a depth is worth more of them.
-constexpr int kStarts = 8;
-constexpr int kExactStarts = 4;
+/// a few starts, each for a short time. The freedom of a depth is worth more.
+constexpr int kStarts = 4;
+constexpr int kExactStarts = 3;
 constexpr int kBeam = 6;
 constexpr int kExactBeam = 4;
 constexpr int kFirstShare = 8;
@@ -68,14 +68,16 @@ SecondStart::SecondStart(const Tree& input, std::vector<Vec3> points, double sca
 Result<std::optional<RebuiltTree>> SecondStart::find(const std::vector<Vec3>& known,
                                                      const ArrangementOptions& lines,
                                                      int most_literals) {
-  if (last_) rebuilder_.refute(*last_, known);
+  using Take = TreeRebuilder::Take;
+  const std::vector<LabelledPoint> labelled = rebuilder_.labelled(known);
+  if (last_) rebuilder_.refute(*last_, labelled, Take::WrongAndNew);
   while (round_ < kMostRounds) {
     ++round_;
     auto tree = rebuilder_.next(most_literals);
     if (!tree) return tree.error();
     if (!*tree || literal_count(**tree) > most_literals) break;
     last_ = std::move(**tree);
-    if (rebuilder_.refute(*last_, known) > 0) continue;
+    if (rebuilder_.refute(*last_, labelled, Take::Wrong) > 0) continue;
     auto good = judged(*last_, known, lines);
     if (!good || *good) return good;
   }
@@ -109,7 +111,9 @@ Result<std::optional<RebuiltTree>> SecondStart::judged(const Tree& tree,
     before = points.size();
     glanced_ = both;
     glimpses_ = points;
-    if (rebuilder_.refute(tree, fresh) > 0) return std::optional<RebuiltTree>();
+    const std::size_t wrong =
+        rebuilder_.refute(tree, rebuilder_.labelled(fresh), TreeRebuilder::Take::WrongAndNew);
+    if (wrong > 0) return std::optional<RebuiltTree>();
   }
   judged_ = both;
   return std::optional<RebuiltTree>(

@@ -73,7 +73,7 @@ class Growth {
     std::vector<Leaf> leaves;
     collect(formula_, formula_.is_negated, leaves);
     for (const Leaf& leaf : leaves) propose(leaf);
-    measure_columns();
+    measure_columns(leaves);
     out_.proximity = formula_proximity(formula_, *cells_);
     for (int pass = 0; pass < kPasses && out_.proximity < 1; ++pass) {
       for (const Proposal& p : proposals_) {
@@ -160,17 +160,21 @@ class Growth {
     return true;
   }
 
-  void measure_columns() {
+  /// Of the literals that are or may become leaves; the others' columns stay empty.
+  void measure_columns(const std::vector<Leaf>& leaves) {
     const std::size_t n = points_.size();
-    std::vector<Column> columns;
-    for (const Literal& s : literals_) {
-      Column column(padded_words(n), 0);
+    std::vector<Column> columns(literals_.size(), Column(padded_words(n), 0));
+    std::vector<int> used;
+    for (const Leaf& leaf : leaves) used.push_back(leaf.formula->literal);
+    for (const Proposal& p : proposals_) used.push_back(p.literal);
+    for (const int literal : used) {
+      const Literal& s = literals_[static_cast<std::size_t>(literal)];
+      Column& column = columns[static_cast<std::size_t>(literal)];
       const Box3 bounds = s.bounds();
       for (std::size_t i = 0; i < n && !run_.is_cancelled(); ++i) {
         const Vec3& p = points_[i];
         if (bounds.contains(p) && s.signed_distance(p) < 0) set_bit(column.data(), i);
       }
-      columns.push_back(std::move(column));
     }
     cells_.emplace(n, std::move(columns));
   }

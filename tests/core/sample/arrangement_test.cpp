@@ -95,6 +95,29 @@ TEST_CASE("the cells do not depend on the number of threads") {
   CHECK(a.arrangement().points == b.arrangement().points);
 }
 
+TEST_CASE("known cells are not found again, unknown ones wherever sampling starts from") {
+  Rng rng(12);
+  std::vector<Literal> literals;
+  for (int k = 0; k < 6; ++k) literals.push_back(testing::random_literal(rng));
+  ArrangementSampler lines(literals, 4);
+  REQUIRE(lines.sample({}, {}).has_value());
+  const Arrangement all = lines.arrangement();
+  ArrangementOptions fresh;
+  fresh.stream = 1;
+  const auto again = lines.sample(fresh, {});
+  REQUIRE(again.has_value());
+  CHECK(static_cast<double>(*again) <= 0.02 * static_cast<double>(all.size()));
+  // Every second cell is given: the lines find the others.
+  ArrangementSampler rest(literals, 4);
+  std::vector<Vec3> given;
+  for (std::size_t c = 0; c < all.size(); c += 2) given.push_back(all.points[c]);
+  CHECK(rest.add(given, {}) == given.size());
+  REQUIRE(rest.sample({}, {}).has_value());
+  std::size_t missed = 0;
+  for (const Vec3& p : all.points) missed += rest.cell_of(p) == rest.arrangement().size() ? 1 : 0;
+  CHECK(static_cast<double>(missed) <= 0.02 * static_cast<double>(all.size()));
+}
+
 TEST_CASE("sampling stops on request") {
   ArrangementSampler sampler({box({0, 0, 0}, {1, 1, 1})}, 1);
   RunContext run;

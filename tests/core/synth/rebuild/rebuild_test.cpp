@@ -135,7 +135,8 @@ TEST_CASE("a cut-up solid is built anew from its few surfaces") {
   Rng rng(9);
   std::vector<Vec3> fresh;
   for (int i = 0; i < 5000; ++i) fresh.push_back(Vec3(2, 1, 0.5) + random_point(rng, 2.5));
-  CHECK(rebuilder.refute(**found, fresh) == 0);
+  const std::vector<LabelledPoint> labelled = rebuilder.labelled(fresh);
+  CHECK(rebuilder.refute(**found, labelled, TreeRebuilder::Take::WrongAndNew) == 0);
   // No tree is that small.
   TreeRebuilder bounded(tree, points, tree.bounds().diagonal(), options, run);
   const auto none = bounded.next(1);
@@ -144,7 +145,7 @@ TEST_CASE("a cut-up solid is built anew from its few surfaces") {
   // Another solid is refuted.
   Tree other;
   other.root = other.add_literal(box({0, 0, 0}, {4, 2, 1}));
-  CHECK(rebuilder.refute(other, fresh) > 0);
+  CHECK(rebuilder.refute(other, labelled, TreeRebuilder::Take::Wrong) > 0);
 }
 
 TEST_CASE("the optimiser merges boxes that no single primitive of the tree covers") {
