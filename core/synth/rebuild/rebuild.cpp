@@ -331,7 +331,7 @@ class TreeRebuilder::Search {
 
   /// The less a start takes the more of them; what they find is rewritten afterwards.
   ListSearchOptions list_options() const {
-    constexpr double kFullEffortWork = 6000;  // halfspaces x words
+    constexpr double kFullEffortWork = 4000;  // halfspaces x words
     constexpr int kFewest = 3;                // starts, and states of a beam
     ListSearchOptions list = options_.list;
     const auto work = static_cast<double>(columns_->halfspaces() * columns_->words());

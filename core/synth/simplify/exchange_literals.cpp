@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/synth/simplify/redundancy.h"
+#include "core/synth/simplify/sibling_care.h"
 
 namespace hewn {
 namespace {
@@ -32,10 +32,12 @@ class Exchange {
     if (run_.is_cancelled()) return false;
     if (node.kind == Formula::Kind::Leaf) return exchange(node, care);
     bool has_changed = false;
+    SiblingCare siblings(node);
     for (std::size_t i = 0; i < node.children.size(); ++i) {
-      if (!visit(node.children[i], care_of_child(node, i, care))) continue;
+      if (!visit(node.children[i], siblings.of(i, care))) continue;
       has_changed = true;
       evaluate(node, cells_);
+      siblings.renew();
     }
     return has_changed;
   }

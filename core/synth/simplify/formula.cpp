@@ -1,6 +1,7 @@
 #include "core/synth/simplify/formula.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -78,6 +79,19 @@ void join_values(Op op, Built& left, const Built& right) {
   }
 }
 
+/// Those that at least two of the parts hold.
+Column cells_of_several(const std::vector<Built>& parts) {
+  Column one(parts[0].value.size(), 0);
+  Column several = one;
+  for (const Built& part : parts) {
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      several[i] |= one[i] & part.value[i];
+      one[i] |= part.value[i];
+    }
+  }
+  return several;
+}
+
 Built measured(const Tree& tree, int index, std::span<const int> literal_of,
                const CellColumns& cells) {
   const Node& node = tree.nodes[index];
@@ -149,19 +163,27 @@ class TreeMaker {
     return result;
   }
 
+  /// Next is always the first part that overlaps what is there; the order of the formula otherwise.
   Built folded(Op op, std::vector<Built> parts) {
+    std::vector<std::size_t> rest(parts.size() - 1);
+    std::iota(rest.begin(), rest.end(), std::size_t{1});
+    // Most of many parts stand alone.
+    const Column shared = cells_of_several(parts);
+    std::vector<char> may_overlap;
+    for (const std::size_t i : rest) {
+      may_overlap.push_back(intersects(parts[i].value, shared) ? 1 : 0);
+    }
     Built result = std::move(parts[0]);
-    parts.erase(parts.begin());
-    while (!parts.empty()) {
-      // The first part that overlaps what is there; the order of the formula otherwise.
+    while (!rest.empty()) {
       std::size_t next = 0;
-      for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (!intersects(parts[i].value, result.value)) continue;
+      for (std::size_t i = 0; i < rest.size(); ++i) {
+        if (!may_overlap[i] || !intersects(parts[rest[i]].value, result.value)) continue;
         next = i;
         break;
       }
-      join(op, result, parts[next]);
-      parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(next));
+      join(op, result, parts[rest[next]]);
+      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(next));
+      may_overlap.erase(may_overlap.begin() + static_cast<std::ptrdiff_t>(next));
     }
     return result;
   }

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/synth/simplify/sibling_care.h"
+
 namespace hewn {
 namespace {
 
@@ -43,11 +45,13 @@ class RedundancyRemover {
     if (f.kind == Kind::Leaf) return false;
     if (replace(f, care)) return true;
     bool has_changed = drop_operands(f, care);
+    SiblingCare siblings(f);
     for (std::size_t i = 0; i < f.children.size(); ++i) {
-      if (!visit(f.children[i], care_of_child(f, i, care))) continue;
+      if (!visit(f.children[i], siblings.of(i, care))) continue;
       has_changed = true;
       f.children[i] = normalised(std::move(f.children[i]));
       evaluate(f.children[i], cells_);
+      siblings.renew();
     }
     return has_changed;
   }
@@ -97,14 +101,16 @@ class RedundancyRemover {
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return leaves[a] > leaves[b]; });
     bool has_changed = false;
+    SiblingCare siblings(f);
     for (const std::size_t i : order) {
-      const Column reach = care_of_child(f, i, care);
+      const Column reach = siblings.of(i, care);
       const bool is_neutral = f.kind == Kind::And ? is_subset(reach, f.children[i].value)
                                                   : !intersects(reach, f.children[i].value);
       if (!is_neutral) continue;
       ++(f.kind == Kind::And ? counts_.universal : counts_.empty);
       f.children[i] = Formula::constant(f.kind == Kind::And);
       evaluate(f.children[i], cells_);
+      siblings.renew();
       has_changed = true;
     }
     return has_changed;
@@ -116,18 +122,6 @@ class RedundancyRemover {
 };
 
 }  // namespace
-
-Column care_of_child(const Formula& parent, std::size_t child, const Column& care) {
-  Column reach = care;
-  for (std::size_t k = 0; k < parent.children.size(); ++k) {
-    if (k == child) continue;
-    const Column& v = parent.children[k].value;
-    for (std::size_t i = 0; i < reach.size(); ++i) {
-      reach[i] &= parent.kind == Kind::And ? v[i] : ~v[i];
-    }
-  }
-  return reach;
-}
 
 Formula without_redundancy(Formula formula, const CellColumns& cells, const Column& care,
                            const RunContext& run, RedundancyCounts* counts) {

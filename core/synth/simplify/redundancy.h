@@ -25,8 +25,4 @@ struct RedundancyCounts {
 Formula without_redundancy(Formula formula, const CellColumns& cells, const Column& care,
                            const RunContext& run, RedundancyCounts* counts = nullptr);
 
-/// The cells of `care` where the value of `parent`'s operand `child` decides that of `parent`.
-/// Requires: values of the last `evaluate`.
-Column care_of_child(const Formula& parent, std::size_t child, const Column& care);
-
 }  // namespace hewn

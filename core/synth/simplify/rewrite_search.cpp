@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "core/synth/simplify/redundancy.h"
 #include "core/synth/simplify/resynthesise.h"
+#include "core/synth/simplify/sibling_care.h"
 
 namespace hewn {
 namespace {
@@ -77,6 +77,7 @@ class RewriteSearch {
   /// Of formulas of one length the one with the best proximity, of those near enough first.
   void keep_best() {
     const int size = formula_size(current_);
+    if (best_meets_ && size > best_size_) return;
     const double proximity = formula_proximity(current_, cells_);
     const bool meets = proximity >= options_.least_proximity;
     if (best_meets_ && !meets) return;
