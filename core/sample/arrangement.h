@@ -64,6 +64,9 @@ class ArrangementSampler {
   /// Returns how many are new.
   std::size_t add(const std::vector<Vec3>& points, const RunContext& run);
 
+  /// The cells beside all edges are among those added: lines need not run along them.
+  void trust_edges() { edges_known_from_ = 0; }
+
   /// The cell that holds `p`, or the number of cells when it is not known.
   std::size_t cell_of(const Vec3& p) const;
 

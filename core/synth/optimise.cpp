@@ -381,19 +381,20 @@ class Optimiser {
     const TreeInside inside(input_);
     proved_ = grow_overlaps(found, all_literals(), sampler_.arrangement().points, inside, run_);
     if (!proved_.is_changed) return false;
-    LiteralSet both;
-    both.add(input_);
+    // Other cells than the known ones lie beside new primitives only.
+    LiteralSet all = set_;
     ArrangementOptions lines = fresh_lines(lines_, 0);
-    lines.first_literal = both.literals().size();
-    both.add(proved_.tree);
-    ArrangementSampler sampler(both.literals(), sampler_.arrangement().scale);
-    if (!sampler.sample(lines, run_)) return false;
+    lines.first_literal = all.literals().size();
+    all.add(proved_.tree);
+    ArrangementSampler beside(all.literals(), sampler_.arrangement().scale);
+    if (!beside.sample(lines, run_)) return false;
     const TreeInside other(proved_.tree);
     const TreeRays rays(input_);
-    const auto& points = sampler.arrangement().points;
-    return std::none_of(points.begin(), points.end(), [&](const Vec3& p) {
+    const auto is_wrong = [&](const Vec3& p) {
       return inside.contains(p) != other.contains(p) && !is_free(rays, p, depth());
-    });
+    };
+    return std::ranges::none_of(sampler_.arrangement().points, is_wrong) &&
+           std::ranges::none_of(beside.arrangement().points, is_wrong);
   }
 
   /// False when a cell found since speaks against it.

@@ -25,21 +25,13 @@ RebuildOptions options_for(double depth) {
   return options;
 }
 
-/// Enough to find most of what is wrong. The tree is checked again when it has been rewritten.
-ArrangementOptions first_look(ArrangementOptions lines, std::size_t first_literal) {
+/// A quick look, enough to find most of what is wrong. The tree is checked again when it has been
+/// rewritten.
+ArrangementOptions quick(ArrangementOptions lines) {
   lines.volume_lines /= 6;
   lines.crossing_lines /= 10;
   lines.lines_per_face = 1;
   lines.curves_per_face = 1;
-  lines.first_literal = first_literal;
-  return lines;
-}
-
-ArrangementOptions second_look(ArrangementOptions lines, std::size_t first_literal) {
-  lines.volume_lines /= 3;
-  lines.crossing_lines /= 3;
-  lines.first_literal = first_literal;
-  lines.stream += 1000;
   return lines;
 }
 
@@ -86,36 +78,28 @@ Result<std::optional<RebuiltTree>> SecondStart::find(const std::vector<Vec3>& kn
 }
 
 /// The tree with the cells between its primitives and the input's, when none refutes it. No line
-/// runs again along primitives around which all cells are known.
+/// runs along primitives beside which lines have run before.
 Result<std::optional<RebuiltTree>> SecondStart::judged(const Tree& tree,
                                                        const std::vector<Vec3>& known,
                                                        const ArrangementOptions& lines) {
   LiteralSet both;
   both.add(input_);
-  both.add(shared(tree, judged_));
-  const std::size_t well_known = both.literals().size();
-  both.add(shared(tree, glanced_));
-  const std::size_t hardly_known = both.literals().size();
+  both.add(shared(tree, looked_along_));
+  ArrangementOptions look = quick(lines);
+  look.first_literal = both.literals().size();
   std::vector<int> literal_of = both.add(tree);
   ArrangementSampler sampler(both.literals(), scale_);
   sampler.add(known, run_);
-  std::size_t before = sampler.arrangement().size();
-  sampler.add(glimpses_, run_);
-  for (const bool is_first : {true, false}) {
-    const ArrangementOptions look =
-        is_first ? first_look(lines, hardly_known) : second_look(lines, well_known);
-    if (auto more = sampler.sample(look, run_); !more) return more.error();
-    const auto& points = sampler.arrangement().points;
-    const std::vector<Vec3> fresh(points.begin() + static_cast<std::ptrdiff_t>(before),
-                                  points.end());
-    before = points.size();
-    glanced_ = both;
-    glimpses_ = points;
-    const std::size_t wrong =
-        rebuilder_.refute(tree, rebuilder_.labelled(fresh), TreeRebuilder::Take::WrongAndNew);
-    if (wrong > 0) return std::optional<RebuiltTree>();
-  }
-  judged_ = both;
+  const std::size_t before = sampler.arrangement().size();
+  sampler.add(seen_, run_);
+  if (auto more = sampler.sample(look, run_); !more) return more.error();
+  sampler.trust_edges();
+  looked_along_ = both;
+  seen_ = sampler.arrangement().points;
+  const std::vector<Vec3> fresh(seen_.begin() + static_cast<std::ptrdiff_t>(before), seen_.end());
+  const std::size_t wrong =
+      rebuilder_.refute(tree, rebuilder_.labelled(fresh), TreeRebuilder::Take::WrongAndNew);
+  if (wrong > 0) return std::optional<RebuiltTree>();
   return std::optional<RebuiltTree>(
       RebuiltTree{tree, std::move(both), std::move(literal_of), std::move(sampler)});
 }

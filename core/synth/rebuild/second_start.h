@@ -28,10 +28,10 @@ class SecondStart {
   /// See `TreeRebuilder::least_literals`.
   int least_literals() { return rebuilder_.least_literals(); }
 
-  /// A tree that is right on `known`, which hold all cells of the answer before, as far as points
-  /// there are not free, and on the cells that lines along its primitives find. Nothing when none
-  /// is found in time or it has more than `most_literals`; then it is of no use to ask again. Fails
-  /// with: Cancelled. Deterministic for `run.seed`, for any number of threads.
+  /// A tree that is right on `known`, as far as points there are not free, and on the cells that
+  /// lines along its primitives find. Nothing when none is found in time or it has more than
+  /// `most_literals`; then it is of no use to ask again.
+  /// Fails with: Cancelled. Deterministic for `run.seed`, for any number of threads.
   Result<std::optional<RebuiltTree>> find(const std::vector<Vec3>& known,
                                           const ArrangementOptions& lines, int most_literals);
 
@@ -46,9 +46,8 @@ class SecondStart {
   const RunContext& run_;
   TreeRebuilder rebuilder_;
   std::optional<Tree> last_;
-  LiteralSet judged_;           ///< whose cells the last answer came with
-  LiteralSet glanced_;          ///< whose cells a first look has found
-  std::vector<Vec3> glimpses_;  ///< those cells
+  LiteralSet looked_along_;  ///< whose cells are known
+  std::vector<Vec3> seen_;   ///< a point of each
   int round_ = 0;
 };
 

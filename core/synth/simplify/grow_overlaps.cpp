@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/rng.h"
+#include "core/csg/bounds_table.h"
 
 namespace hewn {
 namespace {
@@ -163,18 +164,21 @@ class Growth {
   /// Of the literals that are or may become leaves; the others' columns stay empty.
   void measure_columns(const std::vector<Leaf>& leaves) {
     const std::size_t n = points_.size();
-    std::vector<Column> columns(literals_.size(), Column(padded_words(n), 0));
     std::vector<int> used;
     for (const Leaf& leaf : leaves) used.push_back(leaf.formula->literal);
     for (const Proposal& p : proposals_) used.push_back(p.literal);
-    for (const int literal : used) {
-      const Literal& s = literals_[static_cast<std::size_t>(literal)];
-      Column& column = columns[static_cast<std::size_t>(literal)];
-      const Box3 bounds = s.bounds();
-      for (std::size_t i = 0; i < n && !run_.is_cancelled(); ++i) {
-        const Vec3& p = points_[i];
-        if (bounds.contains(p) && s.signed_distance(p) < 0) set_bit(column.data(), i);
-      }
+    std::vector<LiteralBounds> bounds;
+    for (const int k : used) bounds.emplace_back(literals_[static_cast<std::size_t>(k)]);
+    const BoundsTable near(bounds, std::vector<double>(bounds.size(), 0));
+    std::vector<Column> columns(literals_.size(), Column(padded_words(n), 0));
+    for (std::size_t i = 0; i < n && !run_.is_cancelled(); ++i) {
+      near.visit_near(points_[i], [&](std::size_t u) {
+        const auto k = static_cast<std::size_t>(used[u]);
+        if (distance_within(literals_[k], bounds[u], points_[i], 0) < 0) {
+          set_bit(columns[k].data(), i);
+        }
+        return true;
+      });
     }
     cells_.emplace(n, std::move(columns));
   }
