@@ -33,8 +33,6 @@ if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
-# Where programs find the library that they load on demand (core/io/brep).
-set(CMAKE_BUILD_RPATH ${PROJECT_BINARY_DIR}/bin)
 
 find_program(HEWN_CCACHE ccache)
 if(HEWN_CCACHE)
