@@ -253,7 +253,9 @@ Result<std::size_t> ArrangementSampler::sample(const ArrangementOptions& options
   Tree tree;
   tree.literals = out_.literals;
   const TreeRays rays(tree);
-  const Scene scene{{out_, rays, keys_, known_, common_box(out_)},
+  // A copy: what is too near to a surface at the point found may yet be found elsewhere.
+  KeySet known = known_;
+  const Scene scene{{out_, rays, keys_, known, common_box(out_)},
                     options,
                     run.seed + 977 * options.stream,
                     edges_known_from_};
@@ -262,7 +264,7 @@ Result<std::size_t> ArrangementSampler::sample(const ArrangementOptions& options
       out_, first, std::max(first, crossings_known_from_),
       static_cast<std::size_t>(std::max(0, options.crossing_lines)), Rng(scene.seed ^ 0xC0FFEE));
   // Lines tell cells by counting crossings; the points themselves have the last word.
-  NewCells cells(known_, options.most_cells);
+  NewCells cells(known, options.most_cells);
   walk_along_faces(scene, first, run, cells);
   walk_along_crossings(scene, crossings.found, run, cells);
   walk_through_volume(scene, run, cells);

@@ -78,7 +78,7 @@ class ArrangementSampler {
 
   Arrangement out_;
   std::vector<std::uint64_t> keys_;   ///< of each literal
-  KeySet known_;                      ///< keys of cells that lines need not find again
+  KeySet known_;                      ///< keys of the cells, which lines need not find again
   std::size_t edges_known_from_ = 0;  ///< the edges of literals from this one on have been walked
   std::size_t crossings_known_from_ = 0;  ///< all crossings of later ones have been, too
   std::unordered_multimap<std::uint64_t, std::size_t> by_hash_;  // looked up only, never iterated
