@@ -195,8 +195,7 @@ class Optimiser {
     Formula other = formula_of(*rebuilt_, rebuilt_literal_of_);
     evaluate(wanted, cells);
     evaluate(other, cells);
-    Column wrong = cells.all();
-    for (std::size_t w = 0; w < wrong.size(); ++w) wrong[w] &= wanted.value[w] ^ other.value[w];
+    Column wrong = differences(wanted.value, other.value, cells.all());
     remove_free(wrong);
     return std::all_of(wrong.begin(), wrong.end(), [](Word word) { return word == 0; });
   }
@@ -441,8 +440,7 @@ class Optimiser {
     evaluate(wanted, cells);
     Formula value = found;
     evaluate(value, cells);
-    Column changed = cells.all();
-    for (std::size_t w = 0; w < changed.size(); ++w) changed[w] &= wanted.value[w] ^ value.value[w];
+    const Column changed = differences(wanted.value, value.value, cells.all());
     out_.thin_features = thin_features(input_, sampler_.arrangement(), wanted.value, changed);
     for (const ThinFeature& f : out_.thin_features) out_.changed_cells += f.cells;
     out_.tolerated_cells = free_.count();

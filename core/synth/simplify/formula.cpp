@@ -333,6 +333,12 @@ double tree_proximity(const Tree& tree, std::span<const int> literal_of, const C
   return static_cast<double>(measured(tree, tree.root, literal_of, cells).proximity) / size;
 }
 
+Column differences(const Column& a, const Column& b, const Column& mask) {
+  Column out = mask;
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] &= a[i] ^ b[i];
+  return out;
+}
+
 std::size_t count_differences(const Column& a, const Column& b, const Column& mask) {
   std::size_t n = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {

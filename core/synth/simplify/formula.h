@@ -84,6 +84,9 @@ double formula_proximity(const Formula& formula, const CellColumns& cells);
 /// The proximity of a tree as it stands, over cells; n-ary nodes count as their left fold.
 double tree_proximity(const Tree& tree, std::span<const int> literal_of, const CellColumns& cells);
 
+/// The cells of `mask` on which two columns differ.
+Column differences(const Column& a, const Column& b, const Column& mask);
+
 /// Cells of `mask` where two columns differ.
 std::size_t count_differences(const Column& a, const Column& b, const Column& mask);
 
