@@ -52,28 +52,22 @@ Result<double> measure_iou(const MeshQuery& a, const MeshQuery& b, int samples,
   Box3 box = a.mesh().bounds;
   box.extend(b.mesh().bounds.lo);
   box.extend(b.mesh().bounds.hi);
-  const auto n = static_cast<std::size_t>(samples);
-  const std::size_t chunks = (n + kGrain - 1) / kGrain;
-  std::vector<std::size_t> common(chunks, 0);
-  std::vector<std::size_t> joint(chunks, 0);
+  std::vector<Vec3> points(static_cast<std::size_t>(samples));
   // One random stream per chunk: the points do not depend on who draws them.
-  for_each_index(run.threads, chunks, [&](std::size_t chunk) {
-    if (run.is_cancelled()) return;
+  for_each_index(run.threads, (points.size() + kGrain - 1) / kGrain, [&](std::size_t chunk) {
     Rng rng(run.seed, 0x10000 + chunk);
-    const std::size_t count = std::min(kGrain, n - chunk * kGrain);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec3 p = sample_box(box, rng);
-      const bool in_a = a.contains(p);
-      const bool in_b = b.contains(p);
-      common[chunk] += in_a && in_b ? 1 : 0;
-      joint[chunk] += in_a || in_b ? 1 : 0;
-    }
+    const std::size_t end = std::min(points.size(), (chunk + 1) * kGrain);
+    for (std::size_t i = chunk * kGrain; i < end; ++i) points[i] = sample_box(box, rng);
   });
+  const std::vector<char> in_a = a.contains(points, run);
+  const std::vector<char> in_b = b.contains(points, run);
   if (run.is_cancelled()) return RunContext::cancelled();
   std::size_t common_sum = 0;
   std::size_t joint_sum = 0;
-  for (const std::size_t c : common) common_sum += c;
-  for (const std::size_t j : joint) joint_sum += j;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    common_sum += in_a[i] != 0 && in_b[i] != 0 ? 1 : 0;
+    joint_sum += in_a[i] != 0 || in_b[i] != 0 ? 1 : 0;
+  }
   if (joint_sum == 0) return 1.0;
   return static_cast<double>(common_sum) / static_cast<double>(joint_sum);
 }

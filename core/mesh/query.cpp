@@ -4,12 +4,16 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include <embree3/rtcore.h>
 
+#include "core/compute/compute.h"
+#include "core/compute/parallel.h"
+#include "core/compute/winding.h"
 #include "core/mesh/closest_on_triangle.h"
 #include "core/mesh/edge_use.h"
 
@@ -21,6 +25,10 @@ namespace {
 /// Single precision moves a crossing by less than this; a ray that passes an edge more closely, or
 /// a facet more flatly, is not trusted alone.
 constexpr double kEdgeMargin = 2e-6;
+/// Points that a thread takes at a time.
+constexpr std::size_t kGrain = 512;
+/// So many points pay for the search tree that an accelerator needs, which one core builds.
+constexpr std::size_t kPointsPerTriangle = 8;
 /// Rays start this far behind the asked point, outside the mesh: over a whole line entries and
 /// exits must balance, which shows when a ray slipped through at a vertex or hit an edge twice.
 constexpr double kBackStep = 1.01;
@@ -153,6 +161,8 @@ struct MeshQuery::Scene {
   std::vector<Vec3> vertices;  ///< scene units, double
   std::vector<float> margins;  ///< per triangle, barycentric
   EdgeUse edge_use;
+  std::once_flag winding_begun;
+  std::unique_ptr<const WindingTree> winding;  ///< for accelerators
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
 
@@ -166,6 +176,20 @@ struct MeshQuery::Scene {
 
   void attach_triangles();
   Vec3 to_scene(const Vec3& p) const { return (p - center) / scale; }
+
+  /// Leaves all unsure on the processor, where Embree needs no second search tree.
+  Result<void> find_inside(Device& device, std::span<const Vec3> points, std::span<Inside> out,
+                           const RunContext& run) {
+    if (!device.info().is_accelerator) {
+      std::fill(out.begin(), out.end(), Inside::Unsure);
+      return {};
+    }
+    std::call_once(winding_begun, [this] {
+      winding =
+          std::make_unique<WindingTree>(mesh->vertices, mesh->triangles, edge_use.is_oriented);
+    });
+    return winding->find_inside(device, points, out, run);
+  }
 
   struct Vote {
     bool is_inside = false;
@@ -271,6 +295,27 @@ bool MeshQuery::contains(const Vec3& p) const {
     inside_votes += vote.is_inside ? 1 : 0;
   }
   return 2 * inside_votes > static_cast<int>(kDirections.size());
+}
+
+std::vector<char> MeshQuery::contains(std::span<const Vec3> points, const RunContext& run) const {
+  std::vector<char> is_inside(points.size(), 0);
+  std::vector<Inside> found(points.size(), Inside::Unsure);
+  // Rays through holes must vote.
+  if (scene_->edge_use.is_closed &&
+      points.size() >= kPointsPerTriangle * scene_->mesh->triangles.size()) {
+    // Should a device fail, all is left to the loop below, as it is on the processor.
+    static_cast<void>(compute_of(run)->run(
+        WindingTree::seconds_for(points.size()), run,
+        [&](Device& device) { return scene_->find_inside(device, points, found, run); }));
+  }
+  for_each_chunk(run.threads, points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    if (run.is_cancelled()) return;
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool is_sure = found[i] != Inside::Unsure;
+      is_inside[i] = (is_sure ? found[i] == Inside::Yes : contains(points[i])) ? 1 : 0;
+    }
+  });
+  return is_inside;
 }
 
 ClosestPoint MeshQuery::closest(const Vec3& p) const {

@@ -1,9 +1,11 @@
 #pragma once
 /// Inside tests, rays and closest points on a mesh (Embree).
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/base/run_context.h"
 #include "core/mesh/mesh.h"
 
 namespace hewn {
@@ -32,6 +34,9 @@ class MeshQuery {
   /// Whether `p` lies inside: parity of ray crossings; several directions vote when the first
   /// passes close to an edge or the mesh is open.
   bool contains(const Vec3& p) const;
+  /// The same of many points at once, 1 for those inside, on the device that suits. What is left
+  /// undone when the run is cancelled is 0.
+  std::vector<char> contains(std::span<const Vec3> points, const RunContext& run) const;
   ClosestPoint closest(const Vec3& p) const;
   RayHit cast(const Vec3& origin, const Vec3& direction) const;
   /// Appends every triangle that the segment from `a` to `b` passes or (to single precision)

@@ -13,7 +13,6 @@ namespace hewn {
 namespace {
 
 constexpr std::size_t kPointsPerChunk = 512;
-constexpr std::size_t kPartsPerTask = 16;
 constexpr int kPairsPerGroup = 64;
 constexpr int kPairTries = 400;
 constexpr int kNearPerGroup = 60;
@@ -46,26 +45,6 @@ void fill_signatures(SampleTable& table, const std::vector<Halfspace>& halfspace
   const double seconds = seconds_for_sides(forms.size(), points.size());
   // The processor does it when a device fails, so that only a stop is left: callers look for it.
   static_cast<void>(compute_of(run)->run(seconds, run, job));
-}
-
-/// Appends all points, in order. Most of the cost is in the first touch of fresh memory, which all
-/// threads share.
-void append_parts(SampleTable& table, const std::vector<Halfspace>& halfspaces,
-                  std::span<const std::vector<LabelledPoint>> parts, const RunContext& run) {
-  const std::size_t first = table.size();
-  std::vector<std::size_t> begins{first};
-  for (const auto& part : parts) begins.push_back(begins.back() + part.size());
-  table.points.resize(begins.back());
-  table.is_inside.resize(begins.back());
-  table.signatures.resize(begins.back() * table.stride, 0);
-  const auto copy = [&](std::size_t part) {
-    for (std::size_t i = 0; i < parts[part].size(); ++i) {
-      table.points[begins[part] + i] = parts[part][i].position;
-      table.is_inside[begins[part] + i] = parts[part][i].is_inside ? 1 : 0;
-    }
-  };
-  for_each_index(run.threads, parts.size(), copy, kPartsPerTask);
-  fill_signatures(table, halfspaces, 0, first, run);
 }
 
 /// The pairs and near points of one face group, with its own generator.
@@ -141,17 +120,22 @@ bool is_certain(const SampleSpace& space, const Vec3& p) {
 
 void append_proposed(SampleTable& table, const SampleSpace& space, std::size_t chunks,
                      std::uint64_t stream, const RunContext& run, const Proposal& proposal) {
-  std::vector<std::vector<LabelledPoint>> kept(chunks);
+  std::vector<std::vector<Vec3>> certain(chunks);
   for_each_index(run.threads, chunks, [&](std::size_t chunk) {
     if (run.is_cancelled()) return;
     Rng rng(run.seed, (stream << 32) + chunk);
     proposal(chunk, rng, [&](const Vec3& p) {
-      if (!is_certain(space, p)) return;
-      const Label label = (*space.label)(p);
-      if (label != Label::DontCare) kept[chunk].push_back({p, label == Label::Inside});
+      if (is_certain(space, p)) certain[chunk].push_back(p);
     });
   });
-  append_parts(table, *space.halfspaces, kept, run);
+  std::vector<Vec3> points;
+  for (const auto& part : certain) points.insert(points.end(), part.begin(), part.end());
+  const std::vector<Label> labels = (*space.label)(points, run);
+  std::vector<LabelledPoint> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (labels[i] != Label::DontCare) kept.push_back({points[i], labels[i] == Label::Inside});
+  }
+  append_points(table, *space.halfspaces, kept, run);
 }
 
 Vec3 sample_in_box(const SampleSpace& space, double margin, Rng& rng) {
@@ -175,7 +159,16 @@ Vec3 sample_around_box(const SampleSpace& space, Rng& rng) {
 
 void append_points(SampleTable& table, const std::vector<Halfspace>& halfspaces,
                    const std::vector<LabelledPoint>& points, const RunContext& run) {
-  append_parts(table, halfspaces, std::span(&points, 1), run);
+  const std::size_t first = table.size();
+  const std::size_t size = first + points.size();
+  table.points.resize(size);
+  table.is_inside.resize(size);
+  table.signatures.resize(size * table.stride, 0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    table.points[first + i] = points[i].position;
+    table.is_inside[first + i] = points[i].is_inside ? 1 : 0;
+  }
+  fill_signatures(table, halfspaces, 0, first, run);
 }
 
 void append_halfspaces(SampleTable& table, const std::vector<Halfspace>& halfspaces,

@@ -99,25 +99,24 @@ void score_volume(const MeshQuery& query, const Tree& tree, int points, const Ru
   const Vec3 margin = Vec3::Constant(0.025 * box.diagonal());
   box.lo -= margin;
   box.hi += margin;
-  std::vector<char> membership(static_cast<std::size_t>(points));
-  std::vector<Vec3> positions(membership.size());
-  sample_all(membership.size(), kVolumeStream, run, [&](std::size_t i, Rng& rng) {
+  std::vector<Vec3> positions(static_cast<std::size_t>(points));
+  std::vector<char> in_tree(positions.size());
+  sample_all(positions.size(), kVolumeStream, run, [&](std::size_t i, Rng& rng) {
     positions[i] = sample_box(box, rng);
-    const bool in_mesh = query.contains(positions[i]);
-    const bool in_tree = tree.contains(positions[i]);
-    membership[i] = static_cast<char>((in_mesh ? 1 : 0) + (in_tree ? 2 : 0));
+    in_tree[i] = tree.contains(positions[i]) ? 1 : 0;
   });
+  const std::vector<char> in_mesh = query.contains(positions, run);
   std::size_t both = 0;
   std::size_t one = 0;
-  for (const char m : membership) {
-    both += m == 3;
-    one += m == 1 || m == 2;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    both += in_mesh[i] != 0 && in_tree[i] != 0 ? 1 : 0;
+    one += in_mesh[i] != in_tree[i] ? 1 : 0;
   }
-  const double outside = volume_outside(tree, box, membership.size(), run);
-  const double joint =
-      static_cast<double>(both + one) + outside * static_cast<double>(membership.size());
+  const auto all = static_cast<double>(positions.size());
+  const double outside = volume_outside(tree, box, positions.size(), run);
+  const double joint = static_cast<double>(both + one) + outside * all;
   score.iou = joint > 0 ? static_cast<double>(both) / joint : 0;
-  score.agreement = 1 - static_cast<double>(one) / static_cast<double>(membership.size());
+  score.agreement = 1 - static_cast<double>(one) / all;
   // A few thousand points decide which operands overlap.
   constexpr std::size_t kProximityPoints = 8192;
   positions.resize(std::min(positions.size(), kProximityPoints));

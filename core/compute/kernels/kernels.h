@@ -11,13 +11,14 @@
 #include "core/compute/kernels/group_normal_kernel.h"
 #include "core/compute/kernels/surface_score_kernel.h"
 #include "core/compute/kernels/tree_kernel.h"
+#include "core/compute/kernels/winding_kernel.h"
 
 namespace hewn {
 
 using AnyKernel =
     std::variant<ColumnKernel, TransposeKernel, CellKernel, TreeKernel, VertexClassKernel,
                  BoundaryKernel, GroupNormalKernel, TriangleTensorKernel, SectorTensorKernel,
-                 PrincipalKernel, FloodKernel, SurfaceScoreKernel>;
+                 PrincipalKernel, FloodKernel, SurfaceScoreKernel, WindingKernel>;
 
 /// One of them. A type of its own, so that only those who launch kernels need read them all.
 struct Kernel : AnyKernel {

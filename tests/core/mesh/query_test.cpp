@@ -9,6 +9,7 @@
 #include "core/compute/parallel.h"
 #include "core/mesh/closest_on_triangle.h"
 #include "core/mesh/sampling.h"
+#include "tests/gpu/failing_device.h"
 #include "tests/support/solids.h"
 
 namespace hewn {
@@ -169,6 +170,26 @@ TEST_CASE("many threads get the answers that one gets") {
       64);
   CHECK(alone == together);
   CHECK(std::count(alone.begin(), alone.end(), 1) > 1000);
+}
+
+TEST_CASE("a device tells of many points what the processor tells, and may be lost") {
+  const Mesh mesh = solids::torus(2, 0.5, 32, 16);
+  const MeshQuery query = query_of(mesh);
+  std::vector<Vec3> points{mesh.vertices[0], mesh.vertices[7]};
+  Rng rng(9);
+  for (int i = 0; i < 9000; ++i) points.push_back(sample_box(mesh.bounds, rng));
+  const std::vector<char> expected = query.contains(points, {});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    REQUIRE((expected[i] != 0) == query.contains(points[i]));
+  }
+  for (const int good_calls : {1000, 3}) {
+    testing::FailingDevice* device = nullptr;
+    RunContext run;
+    run.compute = std::make_shared<Compute>(1, DeviceChoice{DeviceChoice::Kind::Cuda, 0},
+                                            testing::opens(device, good_calls, testing::kLost));
+    CHECK(query.contains(points, run) == expected);
+    CHECK(run.compute->accelerated_jobs() == (good_calls > 100 ? 1 : 0));
+  }
 }
 
 TEST_CASE("an empty mesh contains nothing") {
