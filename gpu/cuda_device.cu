@@ -95,12 +95,15 @@ class CudaDevice final : public Device {
     start_with<DeviceGrain>(kernel);
   }
   void start(const TreeKernel& kernel) const {
-    // Only whole warps of the wide kind are worth it.
-    constexpr int kWideWords = WideDeviceGrain::kWords * WideDeviceGrain::kGroup;
-    if (kernel.words % kWideWords == 0) return start_with<WideDeviceGrain>(kernel);
-    start_with<DeviceGrain>(kernel);
+    // Only whole groups of the wide kinds are worth it.
+    if (kernel.words % TreeKernel::kGroupWords<WideDeviceGrain> == 0) {
+      start_with<WideDeviceGrain>(kernel);
+    } else if (kernel.words % TreeKernel::kGroupWords<PairedDeviceGrain> == 0) {
+      start_with<PairedDeviceGrain>(kernel);
+    } else {
+      start_with<DeviceGrain>(kernel);
+    }
   }
-
   template <class Grain, class K>
   void start_with(const K& kernel) const {
     const std::int64_t items = kernel.template items<Grain>();

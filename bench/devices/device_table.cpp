@@ -17,6 +17,7 @@
 #include "core/compute/signatures.h"
 #include "core/compute/surface_scores.h"
 #include "core/compute/tree_batch.h"
+#include "core/compute/winding.h"
 #include "gpu/cuda_device.h"
 
 namespace hewn {
@@ -40,6 +41,22 @@ struct Task {
   std::function<Result<void>(Device&)> job;
   Floor floor;
 };
+
+/// What every job pays for its data, there and back.
+Task copies_task(std::size_t bytes) {
+  auto data = std::make_shared<std::vector<std::uint64_t>>(bytes / sizeof(std::uint64_t), 1);
+  const auto total = static_cast<double>(2 * bytes);
+  return {"copies of " + std::to_string(bytes >> 10) + " KiB there and back",
+          total,
+          "bytes",
+          [=](Device& device) {
+            DeviceJob job(device);
+            const auto there = job.upload(std::span<const std::uint64_t>(*data));
+            job.download(there, std::span(*data));
+            return job.result();
+          },
+          {}};
+}
 
 std::vector<SurfaceForm> random_surfaces(std::size_t count, Rng& rng) {
   std::vector<SurfaceForm> surfaces(count);
@@ -200,6 +217,23 @@ Task curvature_task(int n) {
           {0, 0, 1050 * triangles}};
 }
 
+/// Random points around a torus of 2 n^2 triangles.
+Task inside_task(int n, std::size_t point_count) {
+  const RingMesh mesh(n);
+  auto tree = std::make_shared<WindingTree>(mesh.vertices, mesh.triangles, true);
+  Rng rng(6);
+  auto points = random_points(point_count, rng);
+  for (Vec3& p : points) p = 2 * p.cwiseProduct(Vec3(1, 1, 0.3));
+  auto inside = std::vector<Inside>(point_count);
+  return {"inside of " + std::to_string(mesh.triangles.size()) + " triangles, " +
+              std::to_string(point_count) + " points",
+          static_cast<double>(point_count),
+          "points",
+          [=](Device& device) mutable { return tree->find_inside(device, points, inside, {}); },
+          // Each point and its answer.
+          {0, 0, 25 * static_cast<double>(point_count)}};
+}
+
 double now_s(clockid_t clock) {
   timespec now{};
   clock_gettime(clock, &now);
@@ -230,6 +264,7 @@ double processor_s() { return now_s(CLOCK_PROCESS_CPUTIME_ID); }
 
 /// Where the rows are measured.
 struct Machines {
+  std::string filter;  ///< part of the names of the jobs to measure
   CpuDevice one{1};
   CpuDevice all{0};
   Device* gpu = nullptr;                 ///< or none
@@ -245,6 +280,7 @@ double floor_share(const Floor& floor, const Ceilings& ceilings, double seconds)
 }
 
 void print_row(Machines& machines, const Task& task) {
+  if (task.name.find(machines.filter) == std::string::npos) return;
   // Processor time, which other programs disturb least; with several threads that says nothing.
   const double one_s = median_seconds(machines.one, task, processor_s);
   const double all_s = median_seconds(machines.all, task, wall_s);
@@ -257,9 +293,14 @@ void print_row(Machines& machines, const Task& task) {
   const double gpu_s = median_seconds(*machines.gpu, task, wall_s);
   const double kernels_s =
       median_seconds(*machines.kernels, task, [&] { return machines.kernels->kernel_seconds(); });
-  std::printf(" %10.3f %8.1f %10.3f %5.0f %%  %10.3g %s/s\n", gpu_s * 1e3, all_s / gpu_s,
-              kernels_s * 1e3, 100 * floor_share(task.floor, machines.ceilings, kernels_s),
-              task.work / kernels_s, task.unit);
+  std::printf(" %10.3f %8.1f", gpu_s * 1e3, all_s / gpu_s);
+  if (kernels_s == 0) {
+    std::printf(" %10s %7s  %10.3g %s/s\n", "-", "-", task.work / gpu_s, task.unit);
+    return;
+  }
+  std::printf(" %10.3f %5.0f %%  %10.3g %s/s\n", kernels_s * 1e3,
+              100 * floor_share(task.floor, machines.ceilings, kernels_s), task.work / kernels_s,
+              task.unit);
 }
 
 void print_heading(Machines& machines, const std::string& gpu) {
@@ -277,9 +318,10 @@ void print_heading(Machines& machines, const std::string& gpu) {
   std::printf("  %10s\n", machines.gpu != nullptr ? "kernels' rate" : "rate");
 }
 
-int run() {
+int run(const std::string& filter) {
   auto opened = open_cuda_device(0);
   Machines machines;
+  machines.filter = filter;
   if (opened) {
     const auto ceilings = measure_ceilings(0);
     if (!ceilings) {
@@ -291,6 +333,8 @@ int run() {
     machines.ceilings = *ceilings;
   }
   print_heading(machines, opened ? machines.gpu->info().name : opened.error().message);
+  print_row(machines, copies_task(std::size_t{1} << 16));
+  print_row(machines, copies_task(std::size_t{1} << 27));
   for (const auto& [surfaces, points] :
        {std::pair<std::size_t, std::size_t>{36, 40000}, {1000, 100000}}) {
     print_row(machines, columns_task(surfaces, points));
@@ -307,14 +351,17 @@ int run() {
   print_row(machines, scores_task(has_gpu ? 50000 : 1000, 4096));
   print_row(machines, curvature_task(100));
   print_row(machines, curvature_task(708));
+  print_row(machines, inside_task(100, 100000));
+  print_row(machines, inside_task(708, 1000000));
   return 0;
 }
 
 }  // namespace
 }  // namespace hewn
 
-int main() {
+/// Usage: device_table [PART], for the jobs with PART in their names.
+int main(int argc, char** argv) {
   // Rows as they are measured, into files too.
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
-  return hewn::run();
+  return hewn::run(argc > 1 ? argv[1] : "");
 }

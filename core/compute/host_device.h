@@ -2,6 +2,7 @@
 /// What kernels need to be one source for two compilers. The only header that asks which compiler
 /// reads it.
 #include <cstdint>
+#include <cstring>
 
 #include "core/compute/bits.h"
 
@@ -34,6 +35,10 @@ struct WideDeviceGrain : DeviceGrain {
   static constexpr int kWords = 4;
   static constexpr int kBlock = 4;
 };
+/// The same with two groups to a warp.
+struct PairedDeviceGrain : WideDeviceGrain {
+  static constexpr int kGroup = 16;
+};
 
 HEWN_HD int count_bits(Word word) {
 #if defined(__CUDA_ARCH__)
@@ -51,43 +56,49 @@ HEWN_HD std::int64_t quotient(std::int64_t a, std::int64_t b) {
   return a / b;
 }
 
-/// a * b. GPUs multiply 64-bit numbers slowly.
-HEWN_HD std::int64_t wide_product(std::int32_t a, std::int32_t b) {
-#if defined(__CUDA_ARCH__)
-  long long product;
-  asm("mul.wide.s32 %0, %1, %2;" : "=l"(product) : "r"(a), "r"(b));
-  return product;
-#else
-  return static_cast<std::int64_t>(a) * b;
-#endif
-}
-
-/// *from, in one step. Requires: 8 bytes, aligned to their size.
+/// `from` moved on by `index` times `stride` bytes, in one operation of a GPU.
 template <class T>
-HEWN_HD T load(const T* from) {
+HEWN_HD const T* offset_by(const T* from, std::int32_t index, std::int32_t stride) {
 #if defined(__CUDA_ARCH__)
-  static_assert(sizeof(T) == sizeof(unsigned long long) && alignof(T) == sizeof(T));
-  const unsigned long long bytes = *reinterpret_cast<const unsigned long long*>(from);
-  T value;
-  memcpy(&value, &bytes, sizeof(T));
-  return value;
+  const T* moved;
+  asm("mad.wide.s32 %0, %1, %2, %3;" : "=l"(moved) : "r"(index), "r"(stride), "l"(from));
+  return moved;
 #else
-  return *from;
+  return reinterpret_cast<const T*>(reinterpret_cast<const char*>(from) +
+                                    static_cast<std::int64_t>(index) * stride);
 #endif
 }
 
+/// *from as a T, in one step. Requires: 8 bytes, aligned to their size.
+template <class T, class U>
+HEWN_HD T load(const U* from) {
+  static_assert(sizeof(T) == 8 && sizeof(U) == 8 && alignof(U) == 8);
+  T value;
 #if defined(__CUDA_ARCH__)
+  const uint2 bytes = *reinterpret_cast<const uint2*>(from);
+  memcpy(&value, &bytes, sizeof(T));
+#else
+  memcpy(&value, from, sizeof(T));
+#endif
+  return value;
+}
+
+#if defined(__CUDA_ARCH__)
+/// The threads of the warp that are here with the same address.
+HEWN_HD unsigned peers_of(const void* address) {
+  return __match_any_sync(__activemask(), reinterpret_cast<unsigned long long>(address));
+}
 /// Whether the calling thread is the first of those in `mask`, a part of its warp.
 HEWN_HD bool is_first_of(unsigned mask) {
   return (threadIdx.x & 31u) == static_cast<unsigned>(__ffs(static_cast<int>(mask)) - 1);
 }
 #endif
 
-/// *target += value, in one step for a warp. Sums of integers come out the same in any order.
-/// Requires: threads that run it together have the same target.
+/// *target += value, in one step for threads of a warp with the same target. Sums of integers come
+/// out the same in any order.
 HEWN_HD void sum_into(int* target, int value) {
 #if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 800
-  const unsigned peers = __activemask();
+  const unsigned peers = peers_of(target);
   const int total = __reduce_add_sync(peers, value);
   if (is_first_of(peers)) atomicAdd(target, total);
 #elif defined(__CUDA_ARCH__)
@@ -102,7 +113,7 @@ HEWN_HD void sum_into(std::uint64_t* target, std::uint32_t value) {
 #if defined(__CUDA_ARCH__)
   auto* place = reinterpret_cast<unsigned long long*>(target);
 #if __CUDA_ARCH__ >= 800
-  const unsigned peers = __activemask();
+  const unsigned peers = peers_of(target);
   const unsigned total = __reduce_add_sync(peers, value);
   if (is_first_of(peers)) atomicAdd(place, static_cast<unsigned long long>(total));
 #else
@@ -131,20 +142,16 @@ HEWN_HD void set_flag(int* flag) {
 #endif
 }
 
-/// *target |= bits, with the same requirement as `sum_into`.
-HEWN_HD void unite_into(Word* target, Word bits) {
+/// *target |= bits, in one step for threads of a warp with the same target.
+HEWN_HD void unite_into(std::uint32_t* target, std::uint32_t bits) {
 #if defined(__CUDA_ARCH__)
 #if __CUDA_ARCH__ >= 800
-  const unsigned peers = __activemask();
-  const unsigned low = __reduce_or_sync(peers, static_cast<unsigned>(bits));
-  const unsigned high = __reduce_or_sync(peers, static_cast<unsigned>(bits >> 32));
+  const unsigned peers = peers_of(target);
+  bits = __reduce_or_sync(peers, bits);
   if (!is_first_of(peers)) return;
-  bits = static_cast<Word>(high) << 32 | low;
 #endif
   // Most find their bits set already, and reading costs less.
-  auto* place = reinterpret_cast<unsigned long long*>(target);
-  const unsigned long long known = *static_cast<volatile unsigned long long*>(place);
-  if ((bits & ~known) != 0) atomicOr(place, static_cast<unsigned long long>(bits));
+  if ((bits & ~*static_cast<volatile std::uint32_t*>(target)) != 0) atomicOr(target, bits);
 #else
   if ((bits & ~__atomic_load_n(target, __ATOMIC_RELAXED)) != 0) {
     __atomic_fetch_or(target, bits, __ATOMIC_RELAXED);
@@ -162,17 +169,24 @@ HEWN_HD int exchange_if(int* target, int expected, int value) {
 #endif
 }
 
-/// Copies `kWords` words between places aligned to their size: on a device, two at a time.
-template <int kWords>
+/// Words that a device moves at a time.
+inline constexpr int kMovedWords = 2;
+
+/// Copies `kWords` words, two at a time, which lie `kFromGap` words apart at `from`. Requires, on a
+/// device: places aligned to 16 bytes.
+template <int kWords, int kFromGap = kMovedWords>
 HEWN_HD void copy_words(Word* to, const Word* from) {
+  static_assert(kWords % kMovedWords == 0);
+  for (int i = 0; i < kWords / kMovedWords; ++i) {
+    Word* const pair = to + i * kMovedWords;
+    const Word* const source = from + i * kFromGap;
 #if defined(__CUDA_ARCH__)
-  static_assert(kWords % 2 == 0, "devices move 16 bytes at a time");
-  for (int i = 0; i < kWords; i += 2) {
-    *reinterpret_cast<ulonglong2*>(to + i) = *reinterpret_cast<const ulonglong2*>(from + i);
-  }
+    *reinterpret_cast<ulonglong2*>(pair) = *reinterpret_cast<const ulonglong2*>(source);
 #else
-  for (int i = 0; i < kWords; ++i) to[i] = from[i];
+    pair[0] = source[0];
+    pair[1] = source[1];
 #endif
+  }
 }
 
 /// Puts `kRows` bits of a column in place: one thread stores a whole word, or 32 threads with

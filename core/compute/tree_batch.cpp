@@ -13,6 +13,16 @@ constexpr std::size_t kWorkPerLaunch = std::size_t{1} << 26;
 constexpr std::size_t kWorkPerAcceleratedLaunch = std::size_t{1} << 33;
 
 constexpr TreeOperand array_operand(int array) { return static_cast<TreeOperand>(-1 - array); }
+/// Results that are not columns are those of the step before when they are asked for at once.
+constexpr TreeOperand at_hand(TreeOperand operand) {
+  return operand < 0 ? kPreviousResult : operand;
+}
+/// What complements have in the place of their second operand.
+constexpr TreeOperand kAllRows = array_operand(0);
+
+constexpr std::int32_t overlap_words_of(const TreeSpan& tree) {
+  return (tree.steps + kStepsPerOverlapWord - 1) / kStepsPerOverlapWord;
+}
 
 TreeOp op_of(Token token) {
   switch (token) {
@@ -51,7 +61,6 @@ void TreeBatch::add(std::span<const Token> tree) {
         stack_.pop_back();
         least = std::min(least, nodes_[static_cast<std::size_t>(node.left)].arrays);
         most = std::max(most, nodes_[static_cast<std::size_t>(node.left)].arrays);
-        // The needier operand comes first; its result then occupies one array (Sethi, Ullman 1970).
         if (least == most && least > 0) ++most;
       }
       node.arrays = std::max(most, 1);
@@ -62,13 +71,12 @@ void TreeBatch::add(std::span<const Token> tree) {
   HEWN_ASSERT(stack_.size() == 1, "not one complete formula");
   HEWN_ASSERT(nodes_.back().arrays <= TreeKernel::kWorkArrays, "a tree of more than 2^15 leaves");
   TreeSpan span;
-  span.first_step = static_cast<std::int64_t>(steps_.size());
-  span.first_overlap = static_cast<std::int64_t>(overlap_words_);
-  span.value = emit(tree, stack_.back(), 0);
-  if (span.value < 0) span.value = kPreviousResult;
-  span.steps =
-      static_cast<std::int32_t>(static_cast<std::int64_t>(steps_.size()) - span.first_step);
-  overlap_words_ += (static_cast<std::size_t>(span.steps) + 63) / 64;
+  HEWN_ASSERT(steps_.size() + tree.size() < std::size_t{1} << 31, "too many steps in a batch");
+  span.first_step = static_cast<std::int32_t>(steps_.size());
+  span.first_overlap = static_cast<std::int32_t>(overlap_words_);
+  span.value = at_hand(emit(tree, stack_.back(), 0));
+  span.steps = static_cast<std::int32_t>(steps_.size()) - span.first_step;
+  overlap_words_ += static_cast<std::size_t>(overlap_words_of(span));
   trees_.push_back(span);
 }
 
@@ -80,25 +88,31 @@ TreeOperand TreeBatch::emit(std::span<const Token> tree, std::int32_t node, int 
   step.op = op_of(token);
   step.target = static_cast<std::uint8_t>(first_array);
   if (token == kComplementToken) {
-    step.b = emit(tree, n.right, first_array);
-    if (step.b < 0) step.b = kPreviousResult;
+    step.a = at_hand(emit(tree, n.right, first_array));
+    step.b = kAllRows;
   } else {
-    const bool left_first = nodes_[static_cast<std::size_t>(n.left)].arrays >=
-                            nodes_[static_cast<std::size_t>(n.right)].arrays;
-    TreeOperand& early = left_first ? step.a : step.b;
-    TreeOperand& late = left_first ? step.b : step.a;
-    early = emit(tree, left_first ? n.left : n.right, first_array);
-    const std::size_t early_end = steps_.size();
-    late = emit(tree, left_first ? n.right : n.left, first_array + (early < 0 ? 1 : 0));
-    if (late < 0) {
-      if (early < 0) steps_[early_end - 1].is_kept = 1;
-      late = kPreviousResult;
-    } else if (early < 0) {
-      early = kPreviousResult;
-    }
+    emit_operands(tree, n, first_array, step);
   }
   steps_.push_back(step);
   return array_operand(first_array);
+}
+
+void TreeBatch::emit_operands(std::span<const Token> tree, const Node& node, int first_array,
+                              TreeStep& step) {
+  // The needier operand comes first; its result then occupies one array (Sethi, Ullman 1970).
+  const bool left_first = nodes_[static_cast<std::size_t>(node.left)].arrays >=
+                          nodes_[static_cast<std::size_t>(node.right)].arrays;
+  const TreeOperand early = emit(tree, left_first ? node.left : node.right, first_array);
+  const std::size_t early_end = steps_.size();
+  const TreeOperand late =
+      emit(tree, left_first ? node.right : node.left, first_array + (early < 0 ? 1 : 0));
+  // What was found last is at hand. Two columns stay in the tree's order.
+  const bool late_is_at_hand = late < 0;
+  step.a = at_hand(late_is_at_hand ? late : early);
+  step.b = late_is_at_hand ? early : late;
+  if (late_is_at_hand && early < 0) steps_[early_end - 1].is_kept = 1;
+  step.is_swapped = late_is_at_hand == left_first ? 1 : 0;
+  if (step.op == TreeOp::Difference && step.is_swapped != 0) step.op = TreeOp::ReverseDifference;
 }
 
 MeasuredRows::MeasuredRows(std::size_t rows, const std::vector<std::vector<Word>>& columns,
@@ -136,8 +150,9 @@ Result<void> MeasuredRows::measure(Device& device, const TreeBatch& batch,
                                    std::span<TreeMeasures> out, const RunContext& run) {
   std::fill(out.begin(), out.end(), TreeMeasures{});
   if (rows_ == 0 || batch.size() == 0) return {};
-  std::vector<TreeCounts> counts(batch.size());
-  std::vector<Word> overlaps(batch.overlap_words(), 0);
+  // What they hold is downloaded.
+  counts_.resize(batch.size());
+  overlaps_.resize(batch.overlap_words());
   const std::size_t step = words_per_part(device);
   for (std::size_t begin = 0; begin < words_; begin += step) {
     DeviceJob job(device);
@@ -146,61 +161,55 @@ Result<void> MeasuredRows::measure(Device& device, const TreeBatch& batch,
     if (!is_resident) resident_ = upload_part(job, begin, part.words);
     if (job.has_failed()) return job.result();
     part.bits = resident_.data();
-    Result<void> done = measure_part(device, batch, part, counts, overlaps, run);
+    Result<void> done = measure_part(device, batch, part, run);
     if (part.words != words_) resident_ = {};
     if (!done) return done;
   }
   for (std::size_t t = 0; t < batch.size(); ++t) {
     const TreeSpan& tree = batch.trees()[t];
-    out[t].held = counts[t].held;
-    out[t].held_wanted = counts[t].held_wanted;
-    for (std::int32_t w = 0; w < (tree.steps + 63) / 64; ++w) {
-      out[t].overlaps += count_bits(overlaps[static_cast<std::size_t>(tree.first_overlap + w)]);
+    out[t].held = counts_[t].held;
+    out[t].held_wanted = counts_[t].held_wanted;
+    for (std::int32_t w = 0; w < overlap_words_of(tree); ++w) {
+      out[t].overlaps += count_bits(overlaps_[static_cast<std::size_t>(tree.first_overlap + w)]);
     }
   }
   return {};
 }
 
 Result<void> MeasuredRows::measure_part(Device& device, const TreeBatch& batch, const Part& part,
-                                        std::span<TreeCounts> counts, std::span<Word> overlaps,
-                                        const RunContext& run) const {
+                                        const RunContext& run) {
   const std::size_t most_work =
       device.info().is_accelerator ? kWorkPerAcceleratedLaunch : kWorkPerLaunch;
   DeviceJob job(device);
   const auto steps = job.upload(batch.steps());
-  std::vector<TreeCounts> launch_counts;
-  std::vector<Word> launch_overlaps;
-  for (std::size_t first = 0; first < batch.size();) {
+  for (std::size_t first = 0; first < batch.size() && !job.has_failed();) {
     if (run.is_cancelled()) return RunContext::cancelled();
-    const TreeSpan& begin = batch.trees()[first];
     std::size_t last = first;
     std::size_t work = 0;
     for (; last < batch.size() && work < most_work; ++last) {
       work += static_cast<std::size_t>(batch.trees()[last].steps + 1) * part.words;
     }
-    const auto first_overlap = static_cast<std::size_t>(begin.first_overlap);
+    const std::int32_t first_overlap = batch.trees()[first].first_overlap;
     const std::size_t end_overlap =
         last < batch.size() ? static_cast<std::size_t>(batch.trees()[last].first_overlap)
-                            : overlaps.size();
+                            : overlaps_.size();
+    const auto launch_counts = std::span(counts_).subspan(first, last - first);
+    const auto launch_overlaps =
+        std::span(overlaps_).subspan(static_cast<std::size_t>(first_overlap),
+                                     end_overlap - static_cast<std::size_t>(first_overlap));
     const auto trees = job.upload(batch.trees().subspan(first, last - first));
-    const auto out = job.allocate_filled<TreeCounts>(last - first, 0);
-    const auto common = job.allocate_filled<Word>(end_overlap - first_overlap, 0);
+    // What the parts before have found comes along.
+    const bool is_first = part.begin == 0;
+    const auto out = is_first ? job.allocate_filled<TreeCounts>(launch_counts.size(), 0)
+                              : job.upload(std::span<const TreeCounts>(launch_counts));
+    const auto common = is_first ? job.allocate_filled<OverlapWord>(launch_overlaps.size(), 0)
+                                 : job.upload(std::span<const OverlapWord>(launch_overlaps));
     const Word* wanted = part.bits + columns_ * part.words;
     job.launch(TreeKernel{trees.data(), static_cast<std::int64_t>(trees.size()), steps.data(),
                           part.bits, static_cast<std::int64_t>(part.words), wanted,
-                          wanted + part.words, out.data(), common.data(), begin.first_overlap});
-    launch_counts.resize(last - first);
-    launch_overlaps.resize(end_overlap - first_overlap);
-    job.download(out, std::span<TreeCounts>(launch_counts));
-    job.download(common, std::span<Word>(launch_overlaps));
-    if (job.has_failed()) return job.result();
-    for (std::size_t t = first; t < last; ++t) {
-      counts[t].held += launch_counts[t - first].held;
-      counts[t].held_wanted += launch_counts[t - first].held_wanted;
-    }
-    for (std::size_t w = 0; w < launch_overlaps.size(); ++w) {
-      overlaps[first_overlap + w] |= launch_overlaps[w];
-    }
+                          wanted + part.words, out.data(), common.data(), first_overlap});
+    job.download(out, launch_counts);
+    job.download(common, launch_overlaps);
     first = last;
   }
   return job.result();

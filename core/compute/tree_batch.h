@@ -28,7 +28,7 @@ struct TreeMeasures {
 /// Trees, translated to the steps that `TreeKernel` takes.
 class TreeBatch {
  public:
-  /// Requires: a complete formula of at most 2^15 leaves.
+  /// Requires: a complete formula of at most 2^15 leaves; less than 2^31 nodes in all.
   /// Cost: O(nodes).
   void add(std::span<const Token> tree);
   void clear();
@@ -46,6 +46,8 @@ class TreeBatch {
     std::int32_t arrays = 0;  ///< work arrays that it needs; 0: a column
   };
   TreeOperand emit(std::span<const Token> tree, std::int32_t node, int first_array);
+  void emit_operands(std::span<const Token> tree, const Node& node, int first_array,
+                     TreeStep& step);
 
   std::vector<TreeSpan> trees_;
   std::vector<TreeStep> steps_;
@@ -87,12 +89,14 @@ class MeasuredRows {
   std::size_t words_per_part(const Device& device) const;
   DeviceBuffer<Word> upload_part(DeviceJob& job, std::size_t begin, std::size_t words) const;
   Result<void> measure_part(Device& device, const TreeBatch& batch, const Part& part,
-                            std::span<TreeCounts> counts, std::span<Word> overlaps,
-                            const RunContext& run) const;
+                            const RunContext& run);
 
   std::size_t rows_, words_, columns_;
   std::vector<Word> bits_;  ///< the columns, then the wanted one, then that of all rows
   DeviceBuffer<Word> resident_;
+  /// Of the last batch. Kept, since fresh memory costs more than what is put there.
+  std::vector<TreeCounts> counts_;
+  std::vector<OverlapWord> overlaps_;
 };
 
 }  // namespace hewn

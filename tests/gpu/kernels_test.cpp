@@ -227,11 +227,12 @@ TEST_CASE("every instruction set measures the same") {
 template <class Grain>
 std::vector<Word> measured_by_items(TreeKernel kernel, const TreeBatch& batch) {
   std::vector<TreeCounts> counts(batch.size());
-  std::vector<Word> found(batch.overlap_words(), 0);
+  std::vector<OverlapWord> overlaps(batch.overlap_words(), 0);
   kernel.counts = counts.data();
-  kernel.overlaps = found.data();
+  kernel.overlaps = overlaps.data();
   const std::int64_t items = kernel.template items<Grain>();
   for (std::int64_t i = 0; i < items; ++i) kernel.template run<Grain>(i);
+  std::vector<Word> found(overlaps.begin(), overlaps.end());
   for (const TreeCounts& c : counts) {
     found.push_back(static_cast<Word>(c.held));
     found.push_back(static_cast<Word>(c.held_wanted));
@@ -242,7 +243,7 @@ std::vector<Word> measured_by_items(TreeKernel kernel, const TreeBatch& batch) {
 TEST_CASE("trees are measured alike in registers and in arrays") {
   Rng rng(19);
   constexpr std::size_t kColumns = 10;
-  for (const std::size_t rows : {500, 4096, 9000}) {
+  for (const std::size_t rows : {500, 4096, 9000, 16384}) {
     const std::size_t words = padded_words(rows);
     std::vector<Word> columns;
     for (std::size_t k = 0; k < kColumns + 1; ++k) {
@@ -267,6 +268,9 @@ TEST_CASE("trees are measured alike in registers and in arrays") {
     kernel.all = all.data();
     const std::vector<Word> expected = measured_by_items<HostGrain>(kernel, batch);
     CHECK(measured_by_items<DeviceGrain>(kernel, batch) == expected);
+    if (kernel.words % TreeKernel::kGroupWords<PairedDeviceGrain> != 0) continue;
+    CHECK(measured_by_items<PairedDeviceGrain>(kernel, batch) == expected);
+    if (kernel.words % TreeKernel::kGroupWords<WideDeviceGrain> != 0) continue;
     CHECK(measured_by_items<WideDeviceGrain>(kernel, batch) == expected);
   }
 }

@@ -13,8 +13,9 @@ namespace hewn {
 struct SurfaceScoreKernel {
   const TreeSpan* trees = nullptr;
   std::int64_t tree_count = 0;
-  const TreeStep* steps = nullptr;        ///< operands are primitives instead of columns
-  std::int64_t samples = 0;               ///< a multiple of `kSampleBlock`; the padding scores 0
+  const TreeStep* steps = nullptr;  ///< operands are primitives instead of columns
+  /// Fewer than 2^29 and a multiple of `kSampleBlock`; the padding scores 0.
+  std::int64_t samples = 0;
   const float* distances = nullptr;       ///< by primitive, then by sample
   const std::uint32_t* scores = nullptr;  ///< as it is and turned, by primitive, then by sample
   std::uint64_t* totals = nullptr;        ///< out, one a tree; 0 at first
@@ -38,24 +39,21 @@ struct SurfaceScoreKernel {
     Sides<Grain::kSamples> work[TreeKernel::kWorkArrays];
     Sides<Grain::kSamples> last, b;
     for (std::int32_t i = 0; i < tree.steps; ++i) {
-      const TreeStep step = load(steps + tree.first_step + i);
-      fetch(step.b, row, work, last, b);
-      if (step.op == TreeOp::Difference || step.op == TreeOp::Complement) b.turn();
+      const TreeStep step = load<TreeStep>(steps + tree.first_step + i);
+      if (step.a != kPreviousResult) fetch(step.a, row, work, last);
       if (step.op == TreeOp::Complement) {
-        last = b;
+        last.turn();
       } else {
-        if (step.a != kPreviousResult) fetch(step.a, row, work, last, last);
-        if (step.op == TreeOp::Union) {
-          last.keep_lower(b);
-        } else {
-          last.keep_higher(b);
-        }
+        fetch(step.b, row, work, b);
+        if (step.op == TreeOp::Difference) b.turn();
+        if (step.op == TreeOp::ReverseDifference) last.turn();
+        last.take(b, step.op == TreeOp::Union, step.is_swapped != 0);
       }
       if (step.is_kept != 0) work[step.target] = last;
     }
-    fetch(tree.value, row, work, last, b);
+    if (tree.value != kPreviousResult) fetch(tree.value, row, work, last);
     std::uint32_t total = 0;
-    for (int r = 0; r < Grain::kSamples; ++r) total += scores[b.source[r] * samples + row + r];
+    for (int r = 0; r < Grain::kSamples; ++r) total += scores[last.source[r] * samples + row + r];
     sum_into(totals + index, total);
   }
 
@@ -73,29 +71,26 @@ struct SurfaceScoreKernel {
         source[r] = static_cast<std::int16_t>(source[r] ^ 1);
       }
     }
-    HEWN_HD void keep_lower(const Sides& o) {
+    /// Keeps the lower of two distances or the higher one; of equal ones the other's if it is
+    /// `preferred`.
+    HEWN_HD void take(const Sides& o, bool lower, bool preferred) {
       for (int r = 0; r < kRows; ++r) {
-        source[r] = o.distance[r] < distance[r] ? o.source[r] : source[r];
-        distance[r] = o.distance[r] < distance[r] ? o.distance[r] : distance[r];
-      }
-    }
-    HEWN_HD void keep_higher(const Sides& o) {
-      for (int r = 0; r < kRows; ++r) {
-        source[r] = o.distance[r] > distance[r] ? o.source[r] : source[r];
-        distance[r] = o.distance[r] > distance[r] ? o.distance[r] : distance[r];
+        const bool is_ahead = lower ? o.distance[r] < distance[r] : o.distance[r] > distance[r];
+        const bool is_taken = is_ahead || (preferred && o.distance[r] == distance[r]);
+        source[r] = is_taken ? o.source[r] : source[r];
+        distance[r] = is_taken ? o.distance[r] : distance[r];
       }
     }
   };
 
   template <int kRows>
   HEWN_HD void fetch(TreeOperand operand, std::int64_t row, const Sides<kRows>* work,
-                     const Sides<kRows>& last, Sides<kRows>& to) const {
-    if (operand == kPreviousResult) {
-      to = last;
-    } else if (operand < 0) {
+                     Sides<kRows>& to) const {
+    if (operand < 0) {
       to = work[-1 - operand];
     } else {
-      const float* own = distances + wide_product(operand, static_cast<std::int32_t>(samples));
+      const auto stride = static_cast<std::int32_t>(samples * sizeof(float));
+      const float* own = offset_by(distances, operand, stride);
       // Devices move 16 bytes at a time when they know that they may.
       const auto* from = static_cast<const float*>(__builtin_assume_aligned(own + row, 16));
       for (int r = 0; r < kRows; ++r) {

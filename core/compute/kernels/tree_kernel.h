@@ -1,32 +1,50 @@
 #pragma once
 /// Many trees at once on bit columns: how many rows each gets right, and which operands overlap.
+#include <cstddef>
+
 #include "core/compute/host_device.h"
 
 namespace hewn {
 
-enum class TreeOp : std::uint8_t { Union, Intersection, Difference, Complement };
+/// In the low bits what `combine` needs.
+enum class TreeOp : std::uint8_t {
+  Intersection = 0,
+  Union = 1,
+  ReverseDifference = 2,  ///< the second operand without the first
+  Difference = 3,
+  Complement = 6  ///< all rows without the first operand
+};
 
 /// An operand at or above 0 is a column, `kPreviousResult` that of the step before; any other is
 /// work array -1 - operand.
 using TreeOperand = std::int16_t;
 inline constexpr TreeOperand kPreviousResult = -32768;
 
-/// One operation; operands in work arrays may be overwritten by its result. `Complement` is all
-/// rows but `b`, and has no `a`.
+/// One operation. The first operand stays at hand: it is the result of the step before or a column.
+/// The second is a column or a work array; complements have none.
 struct alignas(8) TreeStep {
   TreeOp op = TreeOp::Union;
-  std::uint8_t target = 0;  ///< work array
-  TreeOperand a = 0, b = 0;
+  std::uint8_t target = 0;  ///< work array that keeps the result, if any does
+  TreeOperand a = kPreviousResult;
   /// Whether a later step than the next reads the result: else it need not leave the registers.
   std::uint8_t is_kept = 0;
+  /// Whether the tree has the operands the other way round: where that matters, the tree's first
+  /// one is preferred.
+  std::uint8_t is_swapped = 0;
+  TreeOperand b = 0;
 };
 
 struct TreeSpan {
-  std::int64_t first_step = 0;
-  std::int64_t first_overlap = 0;  ///< word of the tree's first step in `overlaps`
+  std::int32_t first_step = 0;
+  std::int32_t first_overlap = 0;  ///< place of the tree's first step in `overlaps`
   std::int32_t steps = 0;
   TreeOperand value = 0;  ///< where the tree's own value is after the last step
 };
+
+/// Bit i of a tree's words tells that the operands of its step i have a row in common. Complements
+/// have no such bit.
+using OverlapWord = std::uint32_t;
+inline constexpr std::int32_t kStepsPerOverlapWord = 32;
 
 struct TreeCounts {
   int held = 0;         ///< rows inside the tree
@@ -45,85 +63,106 @@ struct TreeKernel {
   const Word* columns = nullptr;  ///< zero beyond the last row
   std::int64_t words = 0;         ///< per column, a multiple of `kWordBlock`
   const Word* wanted = nullptr;
-  const Word* all = nullptr;     ///< every row
-  TreeCounts* counts = nullptr;  ///< out, one a tree; 0 at first
-  /// Out: bit i of a tree's words tells that the operands of its step i have a row in common; 0 at
-  /// first. Complements have no such bit.
-  Word* overlaps = nullptr;
-  std::int64_t overlaps_begin = 0;  ///< the word that `overlaps` starts with
+  const Word* all = nullptr;        ///< every row
+  TreeCounts* counts = nullptr;     ///< out, one a tree; 0 at first
+  OverlapWord* overlaps = nullptr;  ///< out; 0 at first
+  std::int32_t overlaps_begin = 0;  ///< the place that `overlaps` starts with
+
+  /// Words of items that work in step. With more than `kMovedWords` an item, they divide `words`.
+  template <class Grain>
+  static constexpr std::int64_t kGroupWords = std::int64_t{Grain::kWords} * Grain::kGroup;
 
   /// Neighbouring items take one tree on neighbouring words, and then the next tree on the same
   /// words, which are then in the nearest cache.
   template <class Grain>
   HEWN_HD std::int64_t items() const {
-    constexpr std::int64_t kGroupWords = Grain::kWords * Grain::kGroup;
-    return (words + kGroupWords - 1) / kGroupWords * Grain::kGroup * tree_count;
+    return (words + kGroupWords<Grain> - 1) / kGroupWords<Grain> * Grain::kGroup * tree_count;
   }
 
   template <class Grain>
   HEWN_HD void run(std::int64_t item) const {
-    const std::int64_t group = quotient(item / Grain::kGroup, tree_count);
-    const std::int64_t index = item / Grain::kGroup - group * tree_count;
-    const std::int64_t begin = (group * Grain::kGroup + item % Grain::kGroup) * Grain::kWords;
-    if (begin >= words) return;
+    const std::int64_t warp = item / Grain::kGroup;
+    const std::int64_t group = warp < tree_count ? 0 : quotient(warp, tree_count);
+    const std::int64_t index = warp - group * tree_count;
     if constexpr (Grain::kWords == Grain::kBlock) {
-      run_in_registers<Grain::kWords>(trees[index], begin, counts[index]);
+      // Pairs of words go around among the items of a group, which then read whole lines.
+      const std::int64_t begin = group * kGroupWords<Grain> + item % Grain::kGroup * kMovedWords;
+      if (begin < words) run_in_registers<Grain>(trees[index], begin, counts[index]);
     } else {
+      const std::int64_t begin = group * Grain::kWords;
       run_in_arrays<Grain>(trees[index], begin, counts[index]);
     }
   }
 
  private:
-  /// For few words: the last result stays at hand, and steps do without branches where they can.
-  template <int kWords>
+  /// For few words: the result at hand stays in registers, and an operation is two masks, so that
+  /// steps take no branch but for where operands come from.
+  template <class Grain>
   HEWN_HD void run_in_registers(const TreeSpan& span, std::int64_t begin, TreeCounts& out) const {
+    constexpr int kWords = Grain::kWords;
+    constexpr int kGap = Grain::kGroup * kMovedWords;
     const TreeSpan tree = span;
     alignas(16) Word work[kWorkArrays][kWords];
-    alignas(16) Word last[kWords] = {};
-    alignas(16) Word a[kWords];
+    alignas(16) Word value[kWords] = {};
     alignas(16) Word b[kWords];
     const Word* const rows = columns + begin;
-    const auto stride = static_cast<std::int32_t>(words);
-    const auto fetch = [&](std::int32_t operand, Word* to) {
-      if (operand >= 0) {
-        copy_words<kWords>(to, rows + wide_product(operand, stride));
-      } else if (operand == kPreviousResult) {
-        for (int i = 0; i < kWords; ++i) to[i] = last[i];
-      } else {
-        copy_words<kWords>(to, work[-1 - operand]);
-      }
-    };
+    const auto stride = static_cast<std::int32_t>(words * sizeof(Word));
     const TreeStep* next = steps + tree.first_step;
-    Word* overlap = overlaps + (tree.first_overlap - overlaps_begin);
-    for (std::int32_t done = 0; done < tree.steps; done += 64) {
-      const std::int32_t chunk = tree.steps - done < 64 ? tree.steps - done : 64;
-      Word overlapping = 0;
-      Word bit = 1;
-      for (std::int32_t i = 0; i < chunk; ++i, ++next, bit += bit) {
-        const TreeStep step = load(next);
-        const bool is_complement = step.op == TreeOp::Complement;
-        if (is_complement) {
-          copy_words<kWords>(a, all + begin);
+    OverlapWord* overlap = overlaps + (tree.first_overlap - overlaps_begin);
+    for (std::int32_t done = 0; done < tree.steps; done += kStepsPerOverlapWord) {
+      std::int32_t left = least(tree.steps - done, kStepsPerOverlapWord);
+      OverlapWord overlapping = 0;
+      OverlapWord bit = 1;
+      for (; left > 0; --left, ++next, bit += bit) {
+        const TwoHalves step = load<TwoHalves>(next);
+        if (step.low >= 0) copy_words<kWords, kGap>(value, offset_by(rows, step.low >> 16, stride));
+        if (step.high >= 0) {
+          copy_words<kWords, kGap>(b, offset_by(rows, step.high >> 16, stride));
+        } else if (is_complement(step)) {
+          copy_words<kWords, kGap>(b, all + begin);
         } else {
-          fetch(step.a, a);
+          copy_words<kWords>(b, work[-1 - (step.high >> 16)]);
         }
-        fetch(step.b, b);
-        // a u b = not (not a and not b), a - b = a and not b.
-        const Word turn_a = step.op == TreeOp::Union ? ~Word{0} : 0;
-        const Word turn_b = step.op == TreeOp::Intersection ? 0 : ~Word{0};
-        Word common = 0;
-        for (int k = 0; k < kWords; ++k) {
-          common |= a[k] & b[k];
-          last[k] = ((a[k] ^ turn_a) & (b[k] ^ turn_b)) ^ turn_a;
-        }
-        if (step.is_kept != 0) copy_words<kWords>(work[step.target], last);
-        if (common != 0 && !is_complement) overlapping |= bit;
+        if (combine<kWords>(step.low, value, b) && !is_complement(step)) overlapping |= bit;
+        if ((step.high & 0xff) != 0) copy_words<kWords>(work[step.low >> 8 & 0xff], value);
       }
       unite_into(overlap++, overlapping);
     }
-    fetch(tree.value, a);
-    count(a, begin, kWords, out);
+    if (tree.value >= 0) copy_words<kWords, kGap>(value, offset_by(rows, tree.value, stride));
+    copy_words<kWords, kGap>(b, wanted + begin);
+    count(value, b, kWords, out);
   }
+
+  /// A step as it lies in memory, least byte first: devices take it apart more quickly like this.
+  /// The operands are at the top, so that the signs are theirs.
+  struct alignas(8) TwoHalves {
+    std::int32_t low, high;
+  };
+  static_assert(sizeof(TwoHalves) == sizeof(TreeStep) && offsetof(TreeStep, a) == 2 &&
+                offsetof(TreeStep, is_kept) == 4 && offsetof(TreeStep, b) == 6);
+  static HEWN_HD bool is_complement(const TwoHalves& step) { return (step.low & 4) != 0; }
+
+  /// Puts the result in the place of `a`, and tells whether the operands have a row in common.
+  ///
+  /// The majority of a, b and a mask is the intersection or the union; what that has other than b
+  /// is b without a, or a without b.
+  template <int kWords>
+  static HEWN_HD bool combine(std::int32_t op, Word* a, const Word* b) {
+    const Word majority = mask_of(op << 31);
+    const Word turn = mask_of(op << 30);
+    Word common = 0;
+    for (int k = 0; k < kWords; ++k) {
+      common |= a[k] & b[k];
+      a[k] = ((a[k] & b[k]) | (majority & (a[k] | b[k]))) ^ (turn & b[k]);
+    }
+    return common != 0;
+  }
+  /// All bits where `bits` is negative, else none.
+  static HEWN_HD Word mask_of(std::int32_t bits) {
+    const auto half = static_cast<std::uint32_t>(bits >> 31);
+    return static_cast<Word>(half) << 32 | half;
+  }
+  static HEWN_HD std::int32_t least(std::int32_t a, std::int32_t b) { return a < b ? a : b; }
 
   /// For many words: each step runs over all of them.
   template <class Grain>
@@ -131,25 +170,27 @@ struct TreeKernel {
     const int length =
         words - begin >= Grain::kWords ? Grain::kWords : static_cast<int>(words - begin);
     alignas(Grain::kBlock * sizeof(Word)) Word work[kWorkArrays * Grain::kWords];
-    const Word* last = nullptr;
+    const Word* value = nullptr;
     const auto place = [&](TreeOperand operand) -> const Word* {
       if (operand >= 0) return columns + operand * words + begin;
-      return operand == kPreviousResult ? last : work + (-1 - operand) * Grain::kWords;
+      return operand == kPreviousResult ? value : work + (-1 - operand) * Grain::kWords;
     };
-    Word overlapping = 0;
+    OverlapWord overlapping = 0;
     for (std::int32_t i = 0; i < tree.steps; ++i) {
       const TreeStep step = steps[tree.first_step + i];
       Word* target = work + step.target * Grain::kWords;
-      const Word* a = step.op == TreeOp::Complement ? all + begin : place(step.a);
-      if (apply<Grain>(step.op, a, place(step.b), target, length)) {
-        overlapping |= Word{1} << (i & 63);
+      const Word* b = step.op == TreeOp::Complement ? all + begin : place(step.b);
+      const std::int32_t bit = i % kStepsPerOverlapWord;
+      if (apply<Grain>(step.op, place(step.a), b, target, length)) {
+        overlapping |= OverlapWord{1} << bit;
       }
-      last = target;
-      if ((i & 63) != 63 && i + 1 != tree.steps) continue;
-      unite_into(overlaps + (tree.first_overlap - overlaps_begin) + (i >> 6), overlapping);
+      value = target;
+      if (bit != kStepsPerOverlapWord - 1 && i + 1 != tree.steps) continue;
+      unite_into(overlaps + (tree.first_overlap - overlaps_begin) + i / kStepsPerOverlapWord,
+                 overlapping);
       overlapping = 0;
     }
-    count(place(tree.value), begin, length, out);
+    count(place(tree.value), wanted + begin, length, out);
   }
 
   /// Whether the operands have a row in common.
@@ -162,8 +203,10 @@ struct TreeKernel {
         return join<Grain>(a, b, out, length, [](Word x, Word y) { return x & y; });
       case TreeOp::Difference:
         return join<Grain>(a, b, out, length, [](Word x, Word y) { return x & ~y; });
+      case TreeOp::ReverseDifference:
+        return join<Grain>(a, b, out, length, [](Word x, Word y) { return y & ~x; });
       case TreeOp::Complement:
-        join<Grain>(a, b, out, length, [](Word x, Word y) { return x & ~y; });
+        join<Grain>(a, b, out, length, [](Word x, Word y) { return y & ~x; });
         return false;
     }
     return false;
@@ -186,12 +229,13 @@ struct TreeKernel {
     return any != 0;
   }
 
-  HEWN_HD void count(const Word* value, std::int64_t begin, int length, TreeCounts& out) const {
+  static HEWN_HD void count(const Word* value, const Word* wanted_value, int length,
+                            TreeCounts& out) {
     int held = 0;
     int held_wanted = 0;
     for (int i = 0; i < length; ++i) {
       held += count_bits(value[i]);
-      held_wanted += count_bits(value[i] & wanted[begin + i]);
+      held_wanted += count_bits(value[i] & wanted_value[i]);
     }
     sum_into(&out.held, held);
     sum_into(&out.held_wanted, held_wanted);
