@@ -14,6 +14,7 @@
 #include "core/base/rng.h"
 #include "core/compute/cpu_device.h"
 #include "core/compute/curvature_job.h"
+#include "core/compute/pair_counts.h"
 #include "core/compute/signatures.h"
 #include "core/compute/surface_scores.h"
 #include "core/compute/tree_batch.h"
@@ -170,6 +171,28 @@ Task trees_task(std::size_t trees, std::size_t rows) {
           static_cast<double>(trees), "trees",
           [=](Device& device) { return table->measure(device, *batch, *measured, {}); },
           tree_floor(trees, 15, rows)};
+}
+
+/// What pairs of literals keep of the open cells.
+Task pairs_task(std::size_t column_count, std::size_t rows) {
+  Rng rng(7);
+  const std::size_t words = padded_words(rows);
+  auto bits = std::make_shared<std::vector<Word>>((column_count + 2) * words);
+  for (Word& w : *bits) w = rng.next();
+  std::vector<const Word*> columns;
+  for (std::size_t k = 0; k < column_count; ++k) columns.push_back(bits->data() + k * words);
+  auto pairs = std::make_shared<PairCounts>(columns, words);
+  const auto count = static_cast<double>(column_count) * static_cast<double>(column_count + 1) / 2;
+  return {
+      "pairs of " + std::to_string(column_count) + " columns, " + std::to_string(rows) + " rows",
+      count,
+      "pairs",
+      [=](Device& device) {
+        const std::span<const Word> sets = std::span(*bits).subspan(column_count * words);
+        return pairs->count(device, sets.first(words), sets.subspan(words), {});
+      },
+      // Three operands each for two sets, and what is counted.
+      {4 * count * static_cast<double>(rows) / 32, 0, 0}};
 }
 
 /// Trees of 31 nodes over 64 primitives.
@@ -347,6 +370,8 @@ int run(const std::string& filter) {
   print_row(machines, trees_task(150, 4096));
   print_row(machines, trees_task(has_gpu ? 1000000 : 20000, 4096));
   print_row(machines, trees_task(has_gpu ? 200000 : 2000, 65536));
+  print_row(machines, pairs_task(120, 6000));
+  print_row(machines, pairs_task(1000, 50000));
   print_row(machines, scores_task(150, 2000));
   print_row(machines, scores_task(has_gpu ? 50000 : 1000, 4096));
   print_row(machines, curvature_task(100));

@@ -178,9 +178,9 @@ struct MeshQuery::Scene {
   Vec3 to_scene(const Vec3& p) const { return (p - center) / scale; }
 
   /// Leaves all unsure on the processor, where Embree needs no second search tree.
-  Result<void> find_inside(Device& device, std::span<const Vec3> points, std::span<Inside> out,
+  Result<void> find_inside(Device& chosen, std::span<const Vec3> points, std::span<Inside> out,
                            const RunContext& run) {
-    if (!device.info().is_accelerator) {
+    if (!chosen.info().is_accelerator) {
       std::fill(out.begin(), out.end(), Inside::Unsure);
       return {};
     }
@@ -188,7 +188,7 @@ struct MeshQuery::Scene {
       winding =
           std::make_unique<WindingTree>(mesh->vertices, mesh->triangles, edge_use.is_oriented);
     });
-    return winding->find_inside(device, points, out, run);
+    return winding->find_inside(chosen, points, out, run);
   }
 
   struct Vote {

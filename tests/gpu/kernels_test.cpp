@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "core/compute/pair_counts.h"
 #include "core/compute/signatures.h"
 #include "core/compute/tree_batch.h"
 #include "tests/gpu/random_tree.h"
@@ -327,6 +328,41 @@ TEST_CASE("2^31 pairs of trees and rows are counted without overflow") {
   for (const TreeMeasures& m : measured) held += static_cast<std::size_t>(m.held);
   CHECK(held == kRows * kTrees);
   CHECK(held > std::size_t{1} << 31);
+}
+
+TEST_CASE("pairs of columns keep of two sets what a count of each pair finds") {
+  const auto device = device_under_test();
+  if (!device) return;
+  Rng rng(20);
+  for (const std::size_t rows : {1, 500, 6000}) {
+    std::vector<std::vector<Word>> columns;
+    std::vector<const Word*> first_words;
+    for (int k = 0; k < 37; ++k) columns.push_back(random_column(rows, rng));
+    for (const auto& column : columns) first_words.push_back(column.data());
+    PairCounts pairs(first_words, padded_words(rows));
+    // Twice: the second time the columns are on the device already.
+    for (int round = 0; round < 2; ++round) {
+      const std::vector<Word> a = random_column(rows, rng);
+      const std::vector<Word> b = random_column(rows, rng);
+      REQUIRE(pairs.count(*device, a, b, {}).has_value());
+      for (std::size_t i = 0; i < columns.size(); ++i) {
+        for (std::size_t k = 0; k < columns.size(); ++k) {
+          CommonCounts expected;
+          for (std::size_t row = 0; row < rows; ++row) {
+            if (!test_bit(columns[i].data(), row) || !test_bit(columns[k].data(), row)) continue;
+            expected.a += test_bit(a.data(), row) ? 1 : 0;
+            expected.b += test_bit(b.data(), row) ? 1 : 0;
+          }
+          REQUIRE(pairs.of(i, k).a == expected.a);
+          REQUIRE(pairs.of(i, k).b == expected.b);
+        }
+      }
+    }
+  }
+  RunContext cancelled;
+  cancelled.cancel->cancel();
+  CHECK_FALSE(PairCounts({}, 8).count(*device, {}, {}, cancelled).has_value());
+  CHECK(PairCounts({}, 8).count(*device, std::vector<Word>(8), std::vector<Word>(8), {}));
 }
 
 TEST_CASE("what goes to a device comes back the same, whatever its size") {

@@ -9,6 +9,7 @@
 #include "core/compute/kernels/column_kernel.h"
 #include "core/compute/kernels/flood_kernel.h"
 #include "core/compute/kernels/group_normal_kernel.h"
+#include "core/compute/kernels/pair_count_kernel.h"
 #include "core/compute/kernels/surface_score_kernel.h"
 #include "core/compute/kernels/tree_kernel.h"
 #include "core/compute/kernels/winding_kernel.h"
@@ -18,7 +19,7 @@ namespace hewn {
 using AnyKernel =
     std::variant<ColumnKernel, TransposeKernel, CellKernel, TreeKernel, VertexClassKernel,
                  BoundaryKernel, GroupNormalKernel, TriangleTensorKernel, SectorTensorKernel,
-                 PrincipalKernel, FloodKernel, SurfaceScoreKernel, WindingKernel>;
+                 PrincipalKernel, FloodKernel, SurfaceScoreKernel, WindingKernel, PairCountKernel>;
 
 /// One of them. A type of its own, so that only those who launch kernels need read them all.
 struct Kernel : AnyKernel {

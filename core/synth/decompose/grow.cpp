@@ -21,16 +21,20 @@ TermGrower::TermGrower(const ColumnTable& columns, const Combinability& combinab
   }
 }
 
-void TermGrower::set_open(const std::vector<Word>& open, const std::vector<Word>* required) {
+void TermGrower::set_open(const std::vector<Word>& open, const std::vector<Word>* required,
+                          const PairsByKind& pairs) {
   open_ = &open;
   required_ = required;
+  pairs_ = pairs;
   for (GrowthStart& s : starts_) s.forget();
 }
 
 GrowthStart& TermGrower::start_of(const GrowRequest& request) {
-  GrowthStart& start = starts_[(request.fills ? 2 : 0) + (request.gains_required ? 1 : 0)];
+  const std::size_t kind = kind_of(request);
+  GrowthStart& start = starts_[kind];
   if (!start.is_known()) {
-    start.reset(*columns_, *open_, request.gains_required ? required_ : nullptr, request.fills);
+    start.reset(*columns_, *open_, request.gains_required ? required_ : nullptr, request.fills,
+                pairs_[kind]);
   }
   return start;
 }
@@ -136,7 +140,7 @@ double TermGrower::gain_of(CommonCounts kept) const {
 void TermGrower::count_shared() {
   if (shared_->sides.empty()) {
     counts_.resize(inside_columns_.size());
-    cells_.count(inside_columns_, counts_);
+    start_->count_insides(*shared_, inside_columns_, counts_);
     for (const CommonCounts inside : counts_) {
       const CommonCounts outside{left_.a - inside.a, left_.b - inside.b};
       shared_->sides.push_back({outside, gain_of(outside)});

@@ -26,6 +26,14 @@ struct GrowRequest {
   std::uint64_t random = 0;  ///< seeds the random numbers of this growth
 };
 
+/// The kinds of terms that share work.
+inline constexpr std::size_t kGrowKinds = 4;
+inline std::size_t kind_of(const GrowRequest& request) {
+  return (request.fills ? 2 : 0) + (request.gains_required ? 1 : 0);
+}
+/// What pairs of halfspaces keep of the open cells as each kind of terms sees them; or nullptr.
+using PairsByKind = std::array<const PairCounts*, kGrowKinds>;
+
 /// Grows terms by information gain per marginal cost (FOIL, Quinlan 1990), then drops literals
 /// that purity does not need. Holds scratch memory: one per thread.
 class TermGrower {
@@ -33,8 +41,10 @@ class TermGrower {
   TermGrower(const ColumnTable& columns, const Combinability& combinability);
 
   /// The cells not decided yet, and those among them that gain may be restricted to. Terms grown
-  /// from the same cells share work. Both must outlive the growing.
-  void set_open(const std::vector<Word>& open, const std::vector<Word>* required = nullptr);
+  /// from the same cells share work, which may have been done before (`pairs`). All must outlive
+  /// the growing.
+  void set_open(const std::vector<Word>& open, const std::vector<Word>* required = nullptr,
+                const PairsByKind& pairs = {});
 
   /// A term that covers the seed and no open cell of the other kind; nullopt when none was found.
   /// Requires: `set_open`. Cost: O(literals x halfspaces x words).
@@ -81,7 +91,8 @@ class TermGrower {
   std::vector<const Word*> inside_columns_;  ///< by halfspace
   const std::vector<Word>* open_ = nullptr;
   const std::vector<Word>* required_ = nullptr;
-  std::array<GrowthStart, 4> starts_;  ///< by kind of term and of gain
+  PairsByKind pairs_ = {};
+  std::array<GrowthStart, kGrowKinds> starts_;
   GrowthStart* start_ = nullptr;
   CountedCells* shared_ = nullptr;  ///< equal to `cells_` but for what others have counted; or null
   OpenCells cells_;

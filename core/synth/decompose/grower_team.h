@@ -1,15 +1,18 @@
 #pragma once
 /// Many terms from the same open cells at once.
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "core/base/run_context.h"
+#include "core/compute/compute.h"
 #include "core/synth/decompose/grow.h"
 
 namespace hewn {
 
-/// A grower for each thread that may join in.
+/// A grower for each thread that may join in. On an accelerator, where one pays, all pairs of
+/// literals are counted before.
 class GrowerTeam {
  public:
   /// All three must outlive it.
@@ -24,7 +27,14 @@ class GrowerTeam {
   long terms_grown() const;
 
  private:
+  PairsByKind count_pairs(std::span<const GrowRequest> requests, const std::vector<Word>& open,
+                          const std::vector<Word>* required);
+
+  const ColumnTable* columns_;
   const RunContext* run_;
+  std::shared_ptr<Compute> compute_;
+  std::vector<PairCounts> pairs_;  ///< by kind of term
+  OpenCells cells_;
   std::vector<TermGrower> growers_;
   std::vector<std::optional<Term>> terms_;
 };

@@ -3,6 +3,7 @@
 #include <deque>
 #include <vector>
 
+#include "core/compute/pair_counts.h"
 #include "core/synth/decompose/open_cells.h"
 
 namespace hewn {
@@ -16,7 +17,8 @@ struct SideWorth {
 /// Open cells with what has been counted of them.
 struct CountedCells {
   OpenCells cells;
-  CommonCounts left;                  ///< in `cells`
+  CommonCounts left;  ///< in `cells`
+  int side = -1;      ///< the first literal's: twice the halfspace, plus one for inside
   std::vector<SideWorth> sides = {};  ///< by halfspace: of its outside, its inside; or empty
 };
 
@@ -24,18 +26,24 @@ struct CountedCells {
 /// is done there, and few of them differ among terms.
 class GrowthStart {
  public:
-  /// Requires: `open` and `gained` as for `OpenCells::reset`.
+  /// Requires: `open` and `gained` as for `OpenCells::reset`; `pairs`, if any, has counted these
+  /// cells in the insides of all halfspaces, and outlives the use.
   void reset(const ColumnTable& columns, const std::vector<Word>& open,
-             const std::vector<Word>* gained, bool fills);
+             const std::vector<Word>* gained, bool fills, const PairCounts* pairs);
   void forget() { is_known_ = false; }
   bool is_known() const { return is_known_; }
 
   CountedCells& root() { return root_; }
   /// After taking a side of a halfspace first.
   CountedCells& after(std::size_t halfspace, bool inside);
+  /// How many of the cells, the root's or those after a literal, the inside of each halfspace
+  /// keeps.
+  void count_insides(const CountedCells& counted, std::span<const Word* const> insides,
+                     std::span<CommonCounts> out) const;
 
  private:
   const ColumnTable* columns_ = nullptr;
+  const PairCounts* pairs_ = nullptr;
   bool is_known_ = false;
   CountedCells root_;
   std::vector<int> child_of_side_;  ///< index into `children_`, -1: not met yet

@@ -35,6 +35,9 @@ class OpenCells {
     }
     return true;
   }
+  /// The cells themselves, right after `reset`.
+  std::span<const Word> others() const { return others_; }
+  std::span<const Word> same() const { return same_; }
   /// How many are left: others as `a`, the same as `b`.
   CommonCounts count() const;
   /// How many each of the columns would keep.

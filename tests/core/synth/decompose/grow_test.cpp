@@ -1,6 +1,8 @@
 #include "core/synth/decompose/grow.h"
 
+#include "core/synth/decompose/grower_team.h"
 #include "tests/core/synth/search_fixture.h"
+#include "tests/gpu/failing_device.h"
 
 namespace hewn {
 namespace {
@@ -97,6 +99,38 @@ TEST_CASE("what terms share does not change them: in a batch as alone, with any 
       CHECK(term->cover == batch[k]->cover);
     }
     CHECK(grown > 20);
+  }
+}
+
+TEST_CASE("terms are the same where a device counts pairs of literals, and where it is lost") {
+  const SearchFixture f(solids::plate_with_hole({10, 8, 2}, 2, 24));
+  Rng rng(3);
+  std::vector<GrowRequest> requests(60);
+  for (std::size_t k = 0; k < requests.size(); ++k) {
+    GrowRequest& request = requests[k];
+    request.seed = rng.below(f.columns.cells());
+    request.fills = test_bit(f.columns.wanted().data(), request.seed);
+    request.gains_required = k % 3 == 0;
+    request.mode = static_cast<GrowMode>(k % 4);
+    request.noise = 0.5;
+    request.random = rng.next();
+  }
+  const auto grown = [&](const RunContext& run) {
+    GrowerTeam team(f.columns, f.combinability, run);
+    std::vector<std::vector<TermLiteral>> literals;
+    for (const auto& term : team.grow(requests, f.space.care, &f.columns.wanted())) {
+      literals.push_back(term ? term->literals : std::vector<TermLiteral>());
+    }
+    return literals;
+  };
+  const auto expected = grown({});
+  for (const int good_calls : {1000, 5}) {
+    testing::FailingDevice* device = nullptr;
+    RunContext run;
+    run.compute = std::make_shared<Compute>(1, DeviceChoice{DeviceChoice::Kind::Cuda, 0},
+                                            testing::opens(device, good_calls, testing::kLost));
+    CHECK(grown(run) == expected);
+    CHECK(run.compute->accelerated_jobs() == (good_calls > 100 ? 4 : 0));
   }
 }
 
