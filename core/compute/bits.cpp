@@ -185,13 +185,16 @@ namespace avx512 {
 
 HEWN_TARGET inline __m512i load(const Word* p) { return _mm512_loadu_si512(p); }
 
-HEWN_TARGET inline int sum(__m512i v) {
-  alignas(64) std::uint64_t lanes[8];
-  _mm512_store_si512(lanes, v);
-  std::uint64_t total = 0;
-  for (const std::uint64_t lane : lanes) total += lane;
-  return static_cast<int>(total);
+HEWN_TARGET inline std::uint64_t sum_lanes(__m512i v) {
+  alignas(64) __m256i halves[2];
+  _mm512_store_si512(halves, v);
+  const __m256i half = _mm256_add_epi64(halves[0], halves[1]);
+  const __m128i pair =
+      _mm_add_epi64(_mm256_castsi256_si128(half), _mm256_extracti128_si256(half, 1));
+  return static_cast<std::uint64_t>(_mm_extract_epi64(pair, 0) + _mm_extract_epi64(pair, 1));
 }
+
+HEWN_TARGET inline int sum(__m512i v) { return static_cast<int>(sum_lanes(v)); }
 
 HEWN_TARGET int count(const Word* a, std::size_t words) {
   __m512i total = _mm512_setzero_si512();
@@ -234,12 +237,18 @@ HEWN_TARGET inline void add_common(const Word* a, const Word* b, const Word* col
   total.b = _mm512_add_epi64(total.b, _mm512_popcnt_epi64(_mm512_and_si512(load(b), c)));
 }
 
+/// Both at once: a half of each lane holds either sum.
+HEWN_TARGET inline CommonCounts sums(const CommonLanes& lanes) {
+  const std::uint64_t total = sum_lanes(lanes.a | (lanes.b << 32));
+  return {static_cast<int>(total & 0xFFFFFFFF), static_cast<int>(total >> 32)};
+}
+
 HEWN_TARGET void count_common(const Word* a, const Word* b, std::span<const Word* const> columns,
                               std::size_t words, std::span<CommonCounts> out) {
   for (std::size_t k = 0; k < columns.size(); ++k) {
     CommonLanes total = no_common();
     for (std::size_t i = 0; i < words; i += 8) add_common(a + i, b + i, columns[k] + i, total);
-    out[k] = {sum(total.a), sum(total.b)};
+    out[k] = sums(total);
   }
 }
 
@@ -249,7 +258,7 @@ HEWN_TARGET void count_common_in(const Word* a, const Word* b, std::span<const W
   for (std::size_t k = 0; k < columns.size(); ++k) {
     CommonLanes total = no_common();
     for (const std::uint32_t i : blocks) add_common(a + i, b + i, columns[k] + i, total);
-    out[k] = {sum(total.a), sum(total.b)};
+    out[k] = sums(total);
   }
 }
 #undef HEWN_TARGET

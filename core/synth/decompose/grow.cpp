@@ -56,7 +56,7 @@ void TermGrower::start(const GrowRequest& request) {
 
 void TermGrower::share(CountedCells& counted) {
   shared_ = &counted;
-  cells_ = counted.cells;
+  cells_ = &counted.cells;
   left_ = counted.left;
 }
 
@@ -67,8 +67,9 @@ void TermGrower::take(int halfspace, bool inside) {
     share(start_->after(static_cast<std::size_t>(halfspace), inside));
   } else {
     shared_ = nullptr;
-    cells_.keep(columns_->column(static_cast<std::size_t>(halfspace), inside));
-    left_ = cells_.count();
+    own_cells_.take_in(*cells_, columns_->column(static_cast<std::size_t>(halfspace), inside));
+    cells_ = &own_cells_;
+    left_ = own_cells_.count();
   }
   const bool is_plane = combinability_->is_plane(halfspace);
   has_planes_ = has_planes_ || is_plane;
@@ -136,7 +137,7 @@ double TermGrower::gain_of(CommonCounts kept) const {
 void TermGrower::count_shared() {
   if (shared_->sides.empty()) {
     counts_.resize(inside_columns_.size());
-    cells_.count(inside_columns_, counts_);
+    cells_->count(inside_columns_, counts_);
     for (const CommonCounts inside : counts_) {
       const CommonCounts outside{left_.a - inside.a, left_.b - inside.b};
       shared_->sides.push_back({outside, gain_of(outside)});
@@ -154,7 +155,7 @@ void TermGrower::count_own() {
     candidate_columns_.push_back(columns_->column(static_cast<std::size_t>(c.halfspace), c.inside));
   }
   counts_.resize(candidates_.size());
-  cells_.count(candidate_columns_, counts_);
+  cells_->count(candidate_columns_, counts_);
   for (std::size_t k = 0; k < candidates_.size(); ++k) {
     candidates_[k].worth = {counts_[k], gain_of(counts_[k])};
   }

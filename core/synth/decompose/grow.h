@@ -83,9 +83,10 @@ class TermGrower {
   const std::vector<Word>* required_ = nullptr;
   std::array<GrowthStart, 4> starts_;  ///< by kind of term and of gain
   GrowthStart* start_ = nullptr;
-  CountedCells* shared_ = nullptr;  ///< equal to `cells_` but for what others have counted; or null
-  OpenCells cells_;
-  CommonCounts left_;  ///< in `cells_`
+  CountedCells* shared_ = nullptr;    ///< `cells_` with what others have counted; null if own
+  const OpenCells* cells_ = nullptr;  ///< that the term covers so far
+  OpenCells own_cells_;               ///< memory for them, once they are not shared
+  CommonCounts left_;                 ///< in `cells_`
   std::vector<TermLiteral> literals_;
   int prism_ = -1;  ///< taken as a whole, if any
   bool has_planes_ = false;

@@ -50,7 +50,13 @@ bool Resynthesis::count(const CellTask& task) {
   on_ = bit_kernels().count(task.on.data(), words);
   off_ = bit_kernels().count(task.off.data(), words);
   if (on_ == 0 || off_ == 0) return false;
-  bit_kernels().count_common(task.on.data(), task.off.data(), columns_, words, counts_);
+  blocks_.clear();
+  for (std::size_t block = 0; block < words; block += kWordBlock) {
+    Word any = 0;
+    for (std::size_t i = block; i < block + kWordBlock; ++i) any |= task.on[i] | task.off[i];
+    if (any != 0) blocks_.push_back(static_cast<std::uint32_t>(block));
+  }
+  bit_kernels().count_common_in(task.on.data(), task.off.data(), columns_, blocks_, counts_);
   work_ += static_cast<double>(words) * static_cast<double>(2 * columns_.size() + 20);
   return true;
 }

@@ -43,7 +43,8 @@ class Resynthesis {
 
   const CellColumns& cells_;
   std::vector<const Word*> columns_;
-  std::vector<CommonCounts> counts_;  ///< of the task's on and off in each literal
+  std::vector<std::uint32_t> blocks_;  ///< first words of the blocks in which the task has cells
+  std::vector<CommonCounts> counts_;   ///< of the task's on and off in each literal
   int on_ = 0, off_ = 0;
   double work_ = 0;
 };
