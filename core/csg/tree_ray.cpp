@@ -225,7 +225,11 @@ TreeRays::TreeRays(const Tree& tree) : tree_(&tree) {
 }
 
 void TreeRays::append_literal(int literal, const Ray& ray, Intervals& out) const {
-  if (ray.misses(bounds_[literal].box)) return;
+  if (!ray.misses(bounds_[literal].box)) append_met(literal, ray, out);
+}
+
+/// Of a literal whose bounds the ray meets, as far as is known.
+void TreeRays::append_met(int literal, const Ray& ray, Intervals& out) const {
   const Literal& shape = tree_->literals[literal];
   const Vec3 o = shape.to_local(ray.origin);
   const Vec3 d = shape.direction_to_local(ray.direction);
@@ -321,7 +325,7 @@ void TreeRays::cast_literals(const Vec3& origin, const Vec3& direction, Interval
   out.clear();
   const Ray ray(origin, direction);
   table_.visit_met(origin, direction,
-                   [&](std::size_t k) { append_literal(static_cast<int>(k), ray, out); });
+                   [&](std::size_t k) { append_met(static_cast<int>(k), ray, out); });
 }
 
 const Intervals& TreeRays::cast(const Vec3& origin, const Vec3& direction,

@@ -73,7 +73,7 @@ void TermGrower::take(int halfspace, bool inside) {
   }
   const bool is_plane = combinability_->is_plane(halfspace);
   has_planes_ = has_planes_ || is_plane;
-  std::erase_if(candidates_, [=](const Candidate& c) { return c.halfspace == halfspace; });
+  // The side that was taken excludes nothing from now on: it goes when candidates are counted.
   for (Candidate& c : candidates_) {
     if (!c.is_plane) continue;
     if (is_plane) {
@@ -135,17 +135,13 @@ double TermGrower::gain_of(CommonCounts kept) const {
 
 /// Of all halfspaces' insides; what an outside keeps is the rest.
 void TermGrower::count_shared() {
-  if (shared_->sides.empty()) {
-    counts_.resize(inside_columns_.size());
-    cells_->count(inside_columns_, counts_);
-    for (const CommonCounts inside : counts_) {
-      const CommonCounts outside{left_.a - inside.a, left_.b - inside.b};
-      shared_->sides.push_back({outside, gain_of(outside)});
-      shared_->sides.push_back({inside, gain_of(inside)});
-    }
-  }
-  for (Candidate& c : candidates_) {
-    c.worth = shared_->sides[2 * static_cast<std::size_t>(c.halfspace) + (c.inside ? 1 : 0)];
+  if (!shared_->sides.empty()) return;
+  counts_.resize(inside_columns_.size());
+  cells_->count(inside_columns_, counts_);
+  for (const CommonCounts inside : counts_) {
+    const CommonCounts outside{left_.a - inside.a, left_.b - inside.b};
+    shared_->sides.push_back({outside, gain_of(outside)});
+    shared_->sides.push_back({inside, gain_of(inside)});
   }
 }
 
@@ -156,9 +152,13 @@ void TermGrower::count_own() {
   }
   counts_.resize(candidates_.size());
   cells_->count(candidate_columns_, counts_);
-  for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    candidates_[k].worth = {counts_[k], gain_of(counts_[k])};
-  }
+}
+
+/// Of the candidate with that index, whose sides have been counted.
+SideWorth TermGrower::worth_of(std::size_t candidate) const {
+  if (shared_ == nullptr) return {counts_[candidate], gain_of(counts_[candidate])};
+  const Candidate& c = candidates_[candidate];
+  return shared_->sides[2 * static_cast<std::size_t>(c.halfspace) + (c.inside ? 1 : 0)];
 }
 
 /// Counts what each candidate keeps, and forgets those that exclude nothing: they never will again.
@@ -168,7 +168,15 @@ void TermGrower::count_candidates() {
   } else {
     count_own();
   }
-  std::erase_if(candidates_, [this](const Candidate& c) { return c.worth.kept.a == left_.a; });
+  // Which ones go is hard to foretell: no branch depends on it.
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < candidates_.size(); ++k) {
+    const SideWorth worth = worth_of(k);
+    Candidate& c = candidates_[kept] = candidates_[k];
+    c.worth = worth;
+    kept += worth.kept.a == left_.a ? 0 : 1;
+  }
+  candidates_.resize(kept);
 }
 
 double TermGrower::marginal_cost(const Candidate& candidate) const {

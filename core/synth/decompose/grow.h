@@ -69,6 +69,7 @@ class TermGrower {
   void count_candidates();
   void count_shared();
   void count_own();
+  SideWorth worth_of(std::size_t candidate) const;
   Choice choose(const GrowRequest& request, bool preferred_only, Rng& rng) const;
   bool is_preferred(GrowMode mode, const Candidate& candidate) const;
   double marginal_cost(const Candidate& candidate) const;
