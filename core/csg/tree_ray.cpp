@@ -178,6 +178,11 @@ void complement(const Intervals& a, Intervals& out) {
   if (from.t < kInfinity) out.push_back({from, kWholeLine.leave});
 }
 
+/// Whether a further operand changes nothing.
+bool is_neutral(Op op, Nearby operand) {
+  return operand == (op == Op::Intersection ? Nearby::All : Nearby::Nothing);
+}
+
 }  // namespace
 
 struct TreeRays::Ray {
@@ -291,6 +296,7 @@ void TreeRays::cast_node(int node, const Ray& ray, std::size_t depth,
   for (const int child : here.children) {
     // Nothing can come back once an intersection or difference is empty.
     if (!is_first && here.op != Op::Union && scratch.lists[base].empty()) return;
+    if (!is_first && ray.is_nearby && is_neutral(here.op, scratch.nearby[child])) continue;
     cast_node(child, ray, depth + 1, scratch);
     if (scratch.lists.size() < base + 4) scratch.lists.resize(base + 4);
     Intervals& result = scratch.lists[base];
@@ -299,7 +305,9 @@ void TreeRays::cast_node(int node, const Ray& ray, std::size_t depth,
     if (here.op == Op::Complement) {
       complement(other, result);
     } else if (is_first) {
-      result = other;
+      std::swap(result, other);
+    } else if (other.empty() && is_neutral(here.op, Nearby::Nothing)) {
+      continue;
     } else if (here.op == Op::Union) {
       unite(result, other, merged);
       std::swap(result, merged);

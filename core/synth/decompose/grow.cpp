@@ -220,7 +220,9 @@ bool TermGrower::is_pure_without(std::size_t skipped) const {
       if (m == skipped) continue;
       const Word* column =
           columns_->column(static_cast<std::size_t>(literals_[m].halfspace), literals_[m].inside);
-      for (std::size_t i = 0; i < kWordBlock; ++i) cells[i] &= column[block + i];
+      Word any = 0;
+      for (std::size_t i = 0; i < kWordBlock; ++i) any |= cells[i] &= column[block + i];
+      if (any == 0) return;
     }
   });
 }
