@@ -28,12 +28,6 @@ int count_and(const Word* a, const Word* b, std::size_t words) {
 int count_xor(const Word* a, const Word* b, std::size_t words) {
   return count_portable(words, [a, b](std::size_t i) { return a[i] ^ b[i]; });
 }
-void count_common(const Word* a, const Word* b, std::span<const Word* const> columns,
-                  std::size_t words, std::span<CommonCounts> out) {
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    out[k] = {count_and(a, columns[k], words), count_and(b, columns[k], words)};
-  }
-}
 void count_common_in(const Word* a, const Word* b, std::span<const Word* const> columns,
                      std::span<const std::uint32_t> blocks, std::span<CommonCounts> out) {
   for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -44,8 +38,7 @@ void count_common_in(const Word* a, const Word* b, std::span<const Word* const> 
     }
   }
 }
-constexpr BitKernels kKernels{BitPath::Portable, count,        count_and,
-                              count_xor,         count_common, count_common_in};
+constexpr BitKernels kKernels{BitPath::Portable, count, count_and, count_xor, count_common_in};
 }  // namespace portable
 
 #ifdef HEWN_X86
@@ -102,30 +95,6 @@ HEWN_TARGET int count_xor(const Word* a, const Word* b, std::size_t words) {
   return sum(total);
 }
 
-struct CommonLanes {
-  __m256i a, b;
-};
-
-HEWN_TARGET inline CommonLanes no_common() {
-  return {_mm256_setzero_si256(), _mm256_setzero_si256()};
-}
-
-HEWN_TARGET inline void add_common(const Word* a, const Word* b, const Word* column,
-                                   CommonLanes& total) {
-  const __m256i c = load(column);
-  total.a = _mm256_add_epi64(total.a, count_lanes(_mm256_and_si256(load(a), c)));
-  total.b = _mm256_add_epi64(total.b, count_lanes(_mm256_and_si256(load(b), c)));
-}
-
-HEWN_TARGET void count_common(const Word* a, const Word* b, std::span<const Word* const> columns,
-                              std::size_t words, std::span<CommonCounts> out) {
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    CommonLanes total = no_common();
-    for (std::size_t i = 0; i < words; i += 4) add_common(a + i, b + i, columns[k] + i, total);
-    out[k] = {sum(total.a), sum(total.b)};
-  }
-}
-
 /// Counts bits block by block, in twos: a carry-save adder halves what is looked up (Harley, Seal).
 class PairCounter {
  public:
@@ -176,8 +145,7 @@ HEWN_TARGET void count_common_in(const Word* a, const Word* b, std::span<const W
   }
 }
 #undef HEWN_TARGET
-constexpr BitKernels kKernels{BitPath::Avx2, count,        count_and,
-                              count_xor,     count_common, count_common_in};
+constexpr BitKernels kKernels{BitPath::Avx2, count, count_and, count_xor, count_common_in};
 }  // namespace avx2
 
 namespace avx512 {
@@ -185,12 +153,18 @@ namespace avx512 {
 
 HEWN_TARGET inline __m512i load(const Word* p) { return _mm512_loadu_si512(p); }
 
+/// Sums of lanes that are half a register apart.
+HEWN_TARGET inline __m256i add_halves(__m512i v) {
+  alignas(64) __m256i halves[2];
+  _mm512_store_si512(halves, v);
+  return _mm256_add_epi64(halves[0], halves[1]);
+}
+
 HEWN_TARGET inline int sum(__m512i v) {
-  alignas(64) std::uint64_t lanes[8];
-  _mm512_store_si512(lanes, v);
-  std::uint64_t total = 0;
-  for (const std::uint64_t lane : lanes) total += lane;
-  return static_cast<int>(total);
+  const __m256i half = add_halves(v);
+  const __m128i pair =
+      _mm_add_epi64(_mm256_castsi256_si128(half), _mm256_extracti128_si256(half, 1));
+  return static_cast<int>(_mm_extract_epi64(pair, 0) + _mm_extract_epi64(pair, 1));
 }
 
 HEWN_TARGET int count(const Word* a, std::size_t words) {
@@ -219,42 +193,57 @@ HEWN_TARGET int count_xor(const Word* a, const Word* b, std::size_t words) {
   return sum(total);
 }
 
+/// What one column has in common with two others, by 64-bit lane.
 struct CommonLanes {
-  __m512i a, b;
+  __m512i a = {}, b = {};
+
+  HEWN_TARGET void add(__m512i of_a, __m512i of_b, __m512i column) {
+    a = _mm512_add_epi64(a, _mm512_popcnt_epi64(_mm512_and_si512(of_a, column)));
+    b = _mm512_add_epi64(b, _mm512_popcnt_epi64(_mm512_and_si512(of_b, column)));
+  }
+  /// Either sum in its half of the lanes, as in `CommonCounts`.
+  HEWN_TARGET __m256i packed() const { return add_halves(a | (b << 32)); }
 };
 
-HEWN_TARGET inline CommonLanes no_common() {
-  return {_mm512_setzero_si512(), _mm512_setzero_si512()};
+/// Sums of neighbouring lanes: of x and y in turn.
+HEWN_TARGET inline __m256i add_pairs(__m256i x, __m256i y) {
+  return _mm256_add_epi64(_mm256_unpacklo_epi64(x, y), _mm256_unpackhi_epi64(x, y));
 }
 
-HEWN_TARGET inline void add_common(const Word* a, const Word* b, const Word* column,
-                                   CommonLanes& total) {
-  const __m512i c = load(column);
-  total.a = _mm512_add_epi64(total.a, _mm512_popcnt_epi64(_mm512_and_si512(load(a), c)));
-  total.b = _mm512_add_epi64(total.b, _mm512_popcnt_epi64(_mm512_and_si512(load(b), c)));
-}
+constexpr std::size_t kAtOnce = 4;
 
-HEWN_TARGET void count_common(const Word* a, const Word* b, std::span<const Word* const> columns,
-                              std::size_t words, std::span<CommonCounts> out) {
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    CommonLanes total = no_common();
-    for (std::size_t i = 0; i < words; i += 8) add_common(a + i, b + i, columns[k] + i, total);
-    out[k] = {sum(total.a), sum(total.b)};
-  }
+/// Adds up what four columns hold in common with two others; the lanes of the columns are
+/// transposed to do so.
+HEWN_TARGET inline void store_sums(const CommonLanes (&of)[kAtOnce], CommonCounts* out) {
+  const __m256i first = add_pairs(of[0].packed(), of[1].packed());
+  const __m256i second = add_pairs(of[2].packed(), of[3].packed());
+  const __m256i sums = _mm256_add_epi64(_mm256_permute2x128_si256(first, second, 0x20),
+                                        _mm256_permute2x128_si256(first, second, 0x31));
+  static_assert(sizeof(CommonCounts) == 8 && std::endian::native == std::endian::little);
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), sums);
 }
 
 HEWN_TARGET void count_common_in(const Word* a, const Word* b, std::span<const Word* const> columns,
                                  std::span<const std::uint32_t> blocks,
                                  std::span<CommonCounts> out) {
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    CommonLanes total = no_common();
-    for (const std::uint32_t i : blocks) add_common(a + i, b + i, columns[k] + i, total);
-    out[k] = {sum(total.a), sum(total.b)};
+  for (std::size_t k = 0; k < columns.size(); k += kAtOnce) {
+    // The last ones may be fewer: one of them then counts several times.
+    const std::size_t count = std::min(kAtOnce, columns.size() - k);
+    const Word* of[kAtOnce];
+    for (std::size_t c = 0; c < kAtOnce; ++c) of[c] = columns[k + std::min(c, count - 1)];
+    CommonLanes total[kAtOnce];
+    for (const std::uint32_t i : blocks) {
+      const __m512i in_a = load(a + i);
+      const __m512i in_b = load(b + i);
+      for (std::size_t c = 0; c < kAtOnce; ++c) total[c].add(in_a, in_b, load(of[c] + i));
+    }
+    CommonCounts counts[kAtOnce];
+    store_sums(total, counts);
+    std::copy_n(counts, count, out.data() + k);
   }
 }
 #undef HEWN_TARGET
-constexpr BitKernels kKernels{BitPath::Avx512, count,        count_and,
-                              count_xor,       count_common, count_common_in};
+constexpr BitKernels kKernels{BitPath::Avx512, count, count_and, count_xor, count_common_in};
 }  // namespace avx512
 #endif
 

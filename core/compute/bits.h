@@ -34,11 +34,8 @@ struct BitKernels {
   int (*count_and)(const Word* a, const Word* b, std::size_t words);
   /// Bits where `a` and `b` differ.
   int (*count_xor)(const Word* a, const Word* b, std::size_t words);
-  /// For every column: the bits of `a & column` and of `b & column`.
-  /// Requires: `out.size() == columns.size()`. Cost: O(columns x words).
-  void (*count_common)(const Word* a, const Word* b, std::span<const Word* const> columns,
-                       std::size_t words, std::span<CommonCounts> out);
-  /// The same of some blocks of the columns only: `blocks` are the indices of their first words.
+  /// For every column: the bits of `a & column` and of `b & column` in some of the blocks; `blocks`
+  /// are the indices of their first words.
   /// Requires: `out.size() == columns.size()`. Cost: O(columns x blocks).
   void (*count_common_in)(const Word* a, const Word* b, std::span<const Word* const> columns,
                           std::span<const std::uint32_t> blocks, std::span<CommonCounts> out);

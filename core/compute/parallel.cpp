@@ -32,6 +32,7 @@ void for_each_chunk(int threads, std::size_t n, std::size_t grain,
 }
 
 int worker_count(int threads) {
+  if (threads == 1) return 1;  // oneTBB looks for other libraries before it knows the cores
   const int cores = std::max(1, tbb::info::default_concurrency());
   return threads <= 0 ? cores : std::min(threads, cores);
 }

@@ -109,6 +109,17 @@ double canonical_distance(const Literal& s, const Vec3& p) {
   return kInfinity;
 }
 
+bool canonical_contains(const Literal& s, const Vec3& p) {
+  if (s.kind == SolidKind::Box) {
+    return (((p - s.size / 2).cwiseAbs() - s.size / 2).array() < 0).all();
+  }
+  if (s.kind == SolidKind::Cylinder && s.radius == s.top_radius) {
+    return std::abs(p.z() - s.height / 2) - s.height / 2 < 0 &&
+           std::sqrt(p.x() * p.x() + p.y() * p.y()) - s.radius < 0;
+  }
+  return canonical_distance(s, p) < 0;
+}
+
 /// Half-extents of a unit disc whose axes are two columns of `map`.
 Vec3 disc_extent(const Mat3& map) {
   return (map.col(0).cwiseAbs2() + map.col(1).cwiseAbs2()).cwiseSqrt();
@@ -175,6 +186,8 @@ double Literal::signed_distance(const Vec3& x) const {
   const double distance = canonical_distance(*this, to_local(x));
   return stretch ? distance * stretch->least : distance;
 }
+
+bool Literal::contains(const Vec3& x) const { return canonical_contains(*this, to_local(x)); }
 
 Box3 Literal::bounds() const {
   if (stretch) return stretched_bounds(*this);

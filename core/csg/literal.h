@@ -75,6 +75,8 @@ struct Literal {
   /// and a polyhedron of several overlapping parts, where it is a bound. Cost: O(1); a polyhedron:
   /// see `polyhedron_query`.
   double signed_distance(const Vec3& x) const;
+  /// Whether it is negative, at a lower cost.
+  bool contains(const Vec3& x) const;
   /// The tightest axis-aligned box.
   Box3 bounds() const;
 };

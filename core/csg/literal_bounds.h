@@ -15,16 +15,29 @@ struct LiteralBounds {
   explicit LiteralBounds(const Literal& literal);
 };
 
+/// How far `p` lies beyond the bounds' farthest side; negative inside.
+inline double distance_beyond(const LiteralBounds& bounds, const Vec3& p) {
+  double beyond = -kInfinity;
+  for (int k = 0; k < 3; ++k) {
+    beyond = std::max({beyond, bounds.box.lo[k] - p[k], p[k] - bounds.box.hi[k]});
+  }
+  return beyond;
+}
+
+/// Whether the literal holds `p`: `literal.contains(p)`.
+inline bool literal_contains(const Literal& literal, const LiteralBounds& bounds, const Vec3& p) {
+  const double beyond = distance_beyond(bounds, p);
+  if (beyond > bounds.slack) return false;
+  return (bounds.is_filled && beyond < -bounds.slack) || literal.contains(p);
+}
+
 /// The literal's signed distance, or plus or minus infinity where the bounds tell that its surface
 /// is further from `p` than `reach`.
 inline double distance_within(const Literal& literal, const LiteralBounds& bounds, const Vec3& p,
                               double reach) {
   const double margin = reach + bounds.slack;
-  double beyond = -kInfinity;
-  for (int k = 0; k < 3; ++k) {
-    beyond = std::max({beyond, bounds.box.lo[k] - p[k], p[k] - bounds.box.hi[k]});
-    if (beyond > margin) return kInfinity;
-  }
+  const double beyond = distance_beyond(bounds, p);
+  if (beyond > margin) return kInfinity;
   return bounds.is_filled && beyond < -margin ? -kInfinity : literal.signed_distance(p);
 }
 

@@ -14,7 +14,7 @@ bool TreeInside::contains(int node, const Vec3& x) const {
   switch (n.op) {
     case Op::Literal: {
       const auto k = static_cast<std::size_t>(n.literal);
-      return distance_within(tree_->literals[k], bounds_[k], x, 0) < 0;
+      return literal_contains(tree_->literals[k], bounds_[k], x);
     }
     case Op::Union:
       return std::any_of(n.children.begin(), n.children.end(), holds);

@@ -178,6 +178,11 @@ void complement(const Intervals& a, Intervals& out) {
   if (from.t < kInfinity) out.push_back({from, kWholeLine.leave});
 }
 
+/// Whether a further operand changes nothing.
+bool is_neutral(Op op, Nearby operand) {
+  return operand == (op == Op::Intersection ? Nearby::All : Nearby::Nothing);
+}
+
 }  // namespace
 
 struct TreeRays::Ray {
@@ -225,7 +230,11 @@ TreeRays::TreeRays(const Tree& tree) : tree_(&tree) {
 }
 
 void TreeRays::append_literal(int literal, const Ray& ray, Intervals& out) const {
-  if (ray.misses(bounds_[literal].box)) return;
+  if (!ray.misses(bounds_[literal].box)) append_met(literal, ray, out);
+}
+
+/// Of a literal whose bounds the ray meets, as far as is known.
+void TreeRays::append_met(int literal, const Ray& ray, Intervals& out) const {
   const Literal& shape = tree_->literals[literal];
   const Vec3 o = shape.to_local(ray.origin);
   const Vec3 d = shape.direction_to_local(ray.direction);
@@ -287,6 +296,7 @@ void TreeRays::cast_node(int node, const Ray& ray, std::size_t depth,
   for (const int child : here.children) {
     // Nothing can come back once an intersection or difference is empty.
     if (!is_first && here.op != Op::Union && scratch.lists[base].empty()) return;
+    if (!is_first && ray.is_nearby && is_neutral(here.op, scratch.nearby[child])) continue;
     cast_node(child, ray, depth + 1, scratch);
     if (scratch.lists.size() < base + 4) scratch.lists.resize(base + 4);
     Intervals& result = scratch.lists[base];
@@ -295,7 +305,9 @@ void TreeRays::cast_node(int node, const Ray& ray, std::size_t depth,
     if (here.op == Op::Complement) {
       complement(other, result);
     } else if (is_first) {
-      result = other;
+      std::swap(result, other);
+    } else if (other.empty() && is_neutral(here.op, Nearby::Nothing)) {
+      continue;
     } else if (here.op == Op::Union) {
       unite(result, other, merged);
       std::swap(result, merged);
@@ -321,7 +333,7 @@ void TreeRays::cast_literals(const Vec3& origin, const Vec3& direction, Interval
   out.clear();
   const Ray ray(origin, direction);
   table_.visit_met(origin, direction,
-                   [&](std::size_t k) { append_literal(static_cast<int>(k), ray, out); });
+                   [&](std::size_t k) { append_met(static_cast<int>(k), ray, out); });
 }
 
 const Intervals& TreeRays::cast(const Vec3& origin, const Vec3& direction,

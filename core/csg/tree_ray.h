@@ -63,6 +63,7 @@ class TreeRays {
   void cast_node(int node, const Ray& ray, std::size_t depth, TreeRayScratch& scratch) const;
   Nearby look_around(int node, const Vec3& center, double reach, std::vector<Nearby>& nearby) const;
   void append_literal(int literal, const Ray& ray, std::vector<TreeInterval>& out) const;
+  void append_met(int literal, const Ray& ray, std::vector<TreeInterval>& out) const;
 
   const Tree* tree_;
   std::vector<LiteralBounds> bounds_;                     ///< of each literal

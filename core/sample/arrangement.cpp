@@ -10,6 +10,7 @@
 #include "core/csg/tree_ray.h"
 #include "core/sample/arrangement_lines.h"
 #include "core/sample/arrangement_walk.h"
+#include "core/sample/carried_sides.h"
 #include "core/sample/crossings.h"
 
 namespace hewn {
@@ -182,10 +183,7 @@ bool classify(const Arrangement& arrangement, const Vec3& p, Word* signature) {
   std::fill(signature, signature + arrangement.stride, 0);
   bool is_certain = true;
   arrangement.near.visit_near(p, [&](std::size_t k) {
-    const double margin = arrangement.uncertain[k];
-    const double d = distance_within(arrangement.literals[k], arrangement.bounds[k], p, margin);
-    if (d < 0) set_bit(signature, k);
-    is_certain = std::abs(d) >= margin;
+    is_certain = take_side(arrangement, k, p, signature);
     return is_certain;
   });
   return is_certain;
@@ -231,12 +229,15 @@ std::size_t ArrangementSampler::cell_of(const Vec3& p) const {
   return classify(out_, p, signature.data()) ? find(signature.data()) : out_.size();
 }
 
-std::size_t ArrangementSampler::add(const std::vector<Vec3>& points, const RunContext& run) {
+/// `classify(i, signature)` is asked on which sides point i lies.
+template <class Classify>
+std::size_t ArrangementSampler::add_points(const std::vector<Vec3>& points, const RunContext& run,
+                                           const Classify& classify) {
   std::vector<Word> signatures(points.size() * out_.stride);
   std::vector<char> is_certain(points.size(), 0);
   for_each_chunk(run.threads, points.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && !run.is_cancelled(); ++i) {
-      is_certain[i] = classify(out_, points[i], signatures.data() + i * out_.stride) ? 1 : 0;
+      is_certain[i] = classify(i, signatures.data() + i * out_.stride) ? 1 : 0;
     }
   });
   std::size_t added = 0;
@@ -244,6 +245,18 @@ std::size_t ArrangementSampler::add(const std::vector<Vec3>& points, const RunCo
     if (is_certain[i] && insert(points[i], signatures.data() + i * out_.stride)) ++added;
   }
   return added;
+}
+
+std::size_t ArrangementSampler::add(const std::vector<Vec3>& points, const RunContext& run) {
+  return add_points(points, run, [&](std::size_t i, Word* signature) {
+    return classify(out_, points[i], signature);
+  });
+}
+
+std::size_t ArrangementSampler::add(const Arrangement& known, const RunContext& run) {
+  const CarriedSides carried(known, out_);
+  return add_points(known.points, run,
+                    [&](std::size_t i, Word* signature) { return carried.classify(i, signature); });
 }
 
 Result<std::size_t> ArrangementSampler::sample(const ArrangementOptions& options,

@@ -1,6 +1,7 @@
 #pragma once
 /// The cells into which a set of literals divides space: every distinct combination of "inside" and
 /// "outside", each with a point that shows it.
+#include <cmath>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -63,6 +64,9 @@ class ArrangementSampler {
   /// Adds the cells of the points that are no nearer to any literal's surface than rounding.
   /// Returns how many are new.
   std::size_t add(const std::vector<Vec3>& points, const RunContext& run);
+  /// The same for the cells of another arrangement of the same scale: on which sides of the
+  /// literals of both its points lie is known.
+  std::size_t add(const Arrangement& known, const RunContext& run);
 
   /// The cells beside all edges are among those added: lines need not run along them.
   void trust_edges() { edges_known_from_ = 0; }
@@ -74,6 +78,9 @@ class ArrangementSampler {
 
  private:
   std::size_t find(const Word* signature) const;
+  template <class Classify>
+  std::size_t add_points(const std::vector<Vec3>& points, const RunContext& run,
+                         const Classify& classify);
   bool insert(const Vec3& point, const Word* signature);
 
   Arrangement out_;
@@ -86,6 +93,16 @@ class ArrangementSampler {
 
 /// The box around all literals that have bounds.
 Box3 common_box(const Arrangement& arrangement);
+
+/// Sets the literal's bit where it holds `p`. False when its surface is within rounding.
+inline bool take_side(const Arrangement& arrangement, std::size_t literal, const Vec3& p,
+                      Word* signature) {
+  const double margin = arrangement.uncertain[literal];
+  const double d =
+      distance_within(arrangement.literals[literal], arrangement.bounds[literal], p, margin);
+  if (d < 0) set_bit(signature, literal);
+  return std::abs(d) >= margin;
+}
 
 /// Which literals hold `p`, into `signature`. False when one of their surfaces is within rounding.
 bool classify(const Arrangement& arrangement, const Vec3& p, Word* signature);

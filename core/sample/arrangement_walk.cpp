@@ -35,14 +35,9 @@ void Walker::line(const ProbeLine& probe) {
     key ^= place_.keys[static_cast<std::size_t>(events_[i].second)];
     const bool is_last = i + 1 == events_.size();
     const double next = is_last ? events_[i].first + reach * 0.01 : events_[i + 1].first;
-    if (next - events_[i].first < shortest) continue;
-    const Vec3 p = from + near_middle(events_[i].first, next) * probe.direction;
-    find(p, key);
+    if (next - events_[i].first < shortest || place_.known.contains(key)) continue;
+    finds_.add(from + near_middle(events_[i].first, next) * probe.direction, key);
   }
-}
-
-void Walker::find(const Vec3& p, std::uint64_t key) {
-  if (!place_.known.contains(key)) finds_.add(p, key);
 }
 
 void Walker::circle(const ProbeCircle& probe) {
@@ -114,7 +109,7 @@ void Walker::take(const Vec3& p, double at, Sample& out) {
   // Mostly the cell of the sample before.
   if (key == last_key_) return;
   last_key_ = key;
-  find(p, key);
+  if (!place_.known.contains(key)) finds_.add(p, key);
 }
 
 void Walker::refine(const ProbeCircle& probe, double from, double to, const Sample& a,

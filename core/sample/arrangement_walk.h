@@ -69,7 +69,6 @@ class Walker {
   void find_near(const ProbeCircle& probe);
   double distance_of(Near& near, const Vec3& p, double at) const;
   void take(const Vec3& p, double at, Sample& out);
-  void find(const Vec3& p, std::uint64_t key);
   void refine(const ProbeCircle& probe, double from, double to, const Sample& a, const Sample& b,
               int depth);
 

@@ -343,14 +343,24 @@ const std::array<Vec3, 26> kDirections = [] {
   return all;
 }();
 
+/// How much larger a ball is so that rounding leaves no surface out that it touches.
+constexpr double kBeyondRounding = 1 + 1e-9;
+
 }  // namespace
 
 double distance_along_rays(const TreeRays& rays, const Vec3& p, double enough) {
   TreeRayScratch scratch;
-  const bool is_nearby = enough > 0;
+  bool is_nearby = enough > 0;
   if (is_nearby && rays.look_around(p, enough, scratch) != Nearby::Surface) return kInfinity;
   double nearest = kInfinity;
+  double reach = is_nearby ? enough : kInfinity;
   for (const Vec3& d : kDirections) {
+    // Only what is nearer than all so far still counts.
+    if (enough <= 0 && 2 * nearest < reach) {
+      is_nearby = true;
+      reach = kBeyondRounding * nearest;
+      rays.look_around(p, reach, scratch);
+    }
     const auto& stretches = is_nearby ? rays.cast_nearby(p, d, scratch) : rays.cast(p, d, scratch);
     if (stretches.empty()) continue;
     const TreeInterval& first = stretches.front();

@@ -174,7 +174,8 @@ class Optimiser {
       rebuilt_.reset();
       if (fallback_) second_.reset();  // its formula is over the literals as they are
       if (!second_) return {};
-      auto found = second_->find(known_points(), lines_, most_rebuilt_);
+      auto found =
+          second_->find(sampler_.arrangement(), free_.deep_points(), lines_, most_rebuilt_);
       if (!found) return found.error();
       if (!*found) {
         second_.reset();
@@ -198,14 +199,6 @@ class Optimiser {
     Column wrong = differences(wanted.value, other.value, cells.all());
     remove_free(wrong);
     return std::all_of(wrong.begin(), wrong.end(), [](Word word) { return word == 0; });
-  }
-
-  /// Of every cell its point, and where a cell that is not free was wrong one that lies deep.
-  std::vector<Vec3> known_points() const {
-    std::vector<Vec3> points = sampler_.arrangement().points;
-    const std::vector<Vec3> deep = free_.deep_points();
-    points.insert(points.end(), deep.begin(), deep.end());
-    return points;
   }
 
   /// Whether the solid's surfaces ask for nearly as many literals as there are without redundancy.

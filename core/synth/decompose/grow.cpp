@@ -60,7 +60,7 @@ void TermGrower::start(const GrowRequest& request) {
 
 void TermGrower::share(CountedCells& counted) {
   shared_ = &counted;
-  cells_ = counted.cells;
+  cells_ = &counted.cells;
   left_ = counted.left;
 }
 
@@ -71,12 +71,13 @@ void TermGrower::take(int halfspace, bool inside) {
     share(start_->after(static_cast<std::size_t>(halfspace), inside));
   } else {
     shared_ = nullptr;
-    cells_.keep(columns_->column(static_cast<std::size_t>(halfspace), inside));
-    left_ = cells_.count();
+    own_cells_.take_in(*cells_, columns_->column(static_cast<std::size_t>(halfspace), inside));
+    cells_ = &own_cells_;
+    left_ = own_cells_.count();
   }
   const bool is_plane = combinability_->is_plane(halfspace);
   has_planes_ = has_planes_ || is_plane;
-  std::erase_if(candidates_, [=](const Candidate& c) { return c.halfspace == halfspace; });
+  // The side that was taken excludes nothing from now on: it goes when candidates are counted.
   for (Candidate& c : candidates_) {
     if (!c.is_plane) continue;
     if (is_plane) {
@@ -138,17 +139,13 @@ double TermGrower::gain_of(CommonCounts kept) const {
 
 /// Of all halfspaces' insides; what an outside keeps is the rest.
 void TermGrower::count_shared() {
-  if (shared_->sides.empty()) {
-    counts_.resize(inside_columns_.size());
-    start_->count_insides(*shared_, inside_columns_, counts_);
-    for (const CommonCounts inside : counts_) {
-      const CommonCounts outside{left_.a - inside.a, left_.b - inside.b};
-      shared_->sides.push_back({outside, gain_of(outside)});
-      shared_->sides.push_back({inside, gain_of(inside)});
-    }
-  }
-  for (Candidate& c : candidates_) {
-    c.worth = shared_->sides[2 * static_cast<std::size_t>(c.halfspace) + (c.inside ? 1 : 0)];
+  if (!shared_->sides.empty()) return;
+  counts_.resize(inside_columns_.size());
+  start_->count_insides(*shared_, inside_columns_, counts_);
+  for (const CommonCounts inside : counts_) {
+    const CommonCounts outside{left_.a - inside.a, left_.b - inside.b};
+    shared_->sides.push_back({outside, gain_of(outside)});
+    shared_->sides.push_back({inside, gain_of(inside)});
   }
 }
 
@@ -158,10 +155,14 @@ void TermGrower::count_own() {
     candidate_columns_.push_back(columns_->column(static_cast<std::size_t>(c.halfspace), c.inside));
   }
   counts_.resize(candidates_.size());
-  cells_.count(candidate_columns_, counts_);
-  for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    candidates_[k].worth = {counts_[k], gain_of(counts_[k])};
-  }
+  cells_->count(candidate_columns_, counts_);
+}
+
+/// Of the candidate with that index, whose sides have been counted.
+SideWorth TermGrower::worth_of(std::size_t candidate) const {
+  if (shared_ == nullptr) return {counts_[candidate], gain_of(counts_[candidate])};
+  const Candidate& c = candidates_[candidate];
+  return shared_->sides[2 * static_cast<std::size_t>(c.halfspace) + (c.inside ? 1 : 0)];
 }
 
 /// Counts what each candidate keeps, and forgets those that exclude nothing: they never will again.
@@ -171,7 +172,15 @@ void TermGrower::count_candidates() {
   } else {
     count_own();
   }
-  std::erase_if(candidates_, [this](const Candidate& c) { return c.worth.kept.a == left_.a; });
+  // Which ones go is hard to foretell: no branch depends on it.
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < candidates_.size(); ++k) {
+    const SideWorth worth = worth_of(k);
+    Candidate& c = candidates_[kept] = candidates_[k];
+    c.worth = worth;
+    kept += worth.kept.a == left_.a ? 0 : 1;
+  }
+  candidates_.resize(kept);
 }
 
 double TermGrower::marginal_cost(const Candidate& candidate) const {
@@ -215,7 +224,9 @@ bool TermGrower::is_pure_without(std::size_t skipped) const {
       if (m == skipped) continue;
       const Word* column =
           columns_->column(static_cast<std::size_t>(literals_[m].halfspace), literals_[m].inside);
-      for (std::size_t i = 0; i < kWordBlock; ++i) cells[i] &= column[block + i];
+      Word any = 0;
+      for (std::size_t i = 0; i < kWordBlock; ++i) any |= cells[i] &= column[block + i];
+      if (any == 0) return;
     }
   });
 }

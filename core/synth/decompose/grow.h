@@ -79,6 +79,7 @@ class TermGrower {
   void count_candidates();
   void count_shared();
   void count_own();
+  SideWorth worth_of(std::size_t candidate) const;
   Choice choose(const GrowRequest& request, bool preferred_only, Rng& rng) const;
   bool is_preferred(GrowMode mode, const Candidate& candidate) const;
   double marginal_cost(const Candidate& candidate) const;
@@ -94,9 +95,10 @@ class TermGrower {
   PairsByKind pairs_ = {};
   std::array<GrowthStart, kGrowKinds> starts_;
   GrowthStart* start_ = nullptr;
-  CountedCells* shared_ = nullptr;  ///< equal to `cells_` but for what others have counted; or null
-  OpenCells cells_;
-  CommonCounts left_;  ///< in `cells_`
+  CountedCells* shared_ = nullptr;    ///< `cells_` with what others have counted; null if own
+  const OpenCells* cells_ = nullptr;  ///< that the term covers so far
+  OpenCells own_cells_;               ///< memory for them, once they are not shared
+  CommonCounts left_;                 ///< in `cells_`
   std::vector<TermLiteral> literals_;
   int prism_ = -1;  ///< taken as a whole, if any
   bool has_planes_ = false;

@@ -20,8 +20,7 @@ CountedCells& GrowthStart::after(std::size_t halfspace, bool inside) {
     child = static_cast<int>(children_used_++);
     if (children_.size() < children_used_) children_.emplace_back();
     CountedCells& fresh = children_[static_cast<std::size_t>(child)];
-    fresh.cells = root_.cells;
-    fresh.cells.keep(columns_->column(halfspace, inside));
+    fresh.cells.take_in(root_.cells, columns_->column(halfspace, inside));
     fresh.left = fresh.cells.count();
     fresh.side = static_cast<int>(2 * halfspace + (inside ? 1 : 0));
     fresh.sides.clear();

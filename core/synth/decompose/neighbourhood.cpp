@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/synth/decompose/grower_team.h"
 
 namespace hewn {
@@ -46,15 +47,15 @@ class Stepper {
   /// Tries one window of `list`; puts what is no worse in its place. False when nothing was found.
   bool take_step(DecisionList& list) {
     std::vector<TermPtr> items = list.items;
-    commute(items, list.base);
+    commute(items);
     Window window = random_window(items.size());
-    if (items.size() > 3 && rng_.coin()) gather_related(items, list.base, window);
+    if (items.size() > 3 && rng_.coin()) gather_related(items, window);
     std::vector<TermPtr> replacement;
     if (!solve_window(items, list.base, window, replacement)) return false;
     std::vector<TermPtr> result(items.begin(), items.begin() + static_cast<long>(window.begin));
     result.insert(result.end(), replacement.begin(), replacement.end());
     result.insert(result.end(), items.begin() + static_cast<long>(window.end), items.end());
-    if (!is_right(space_, result, list.base)) return false;
+    HEWN_ASSERT(is_right(space_, result, list.base), "windows are solved for all that they decide");
     drop_redundant_items(space_, result, list.base);
     DecisionList changed{std::move(result), list.base};
     if (changed.cost() > list.cost()) return false;
@@ -66,22 +67,59 @@ class Stepper {
 
  private:
   /// Moves an item as long as the list stays right.
-  bool try_move(std::vector<TermPtr>& items, bool base, std::size_t from, std::size_t to) {
-    std::vector<TermPtr> moved = items;
-    const TermPtr item = moved[from];
-    moved.erase(moved.begin() + static_cast<long>(from));
-    moved.insert(moved.begin() + static_cast<long>(std::min(to, moved.size())), item);
-    if (!is_right(space_, moved, base)) return false;
-    items = std::move(moved);
+  bool try_move(std::vector<TermPtr>& items, std::size_t from, std::size_t to) {
+    to = std::min(to, items.size() - 1);
+    if (!may_move(items, from, to)) return false;
+    const auto begin = items.begin();
+    const auto at = [&](std::size_t k) { return begin + static_cast<long>(k); };
+    if (from < to) {
+      std::rotate(at(from), at(from + 1), at(to + 1));
+    } else {
+      std::rotate(at(to), at(from), at(from + 1));
+    }
     return true;
   }
 
-  void commute(std::vector<TermPtr>& items, bool base) {
+  /// Whether a list that is right stays so: the item moved and those that it passes must agree on
+  /// the cells that the one ahead decides. Few blocks hold any cell of the item.
+  bool may_move(const std::vector<TermPtr>& items, std::size_t from, std::size_t to) const {
+    const Term& item = *items[from];
+    const std::size_t first_passed = from < to ? from + 1 : to;
+    const std::size_t end_passed = from < to ? to + 1 : from;
+    for (std::size_t block = 0; block < space_.words(); block += kWordBlock) {
+      Word cells[kWordBlock];
+      Word any = 0;
+      for (std::size_t i = 0; i < kWordBlock; ++i) {
+        cells[i] = item.cover[block + i] & space_.care[block + i];
+        any |= cells[i];
+      }
+      const auto drop = [&](const Term& other) {
+        const Word* cover = other.cover.data() + block;
+        any = 0;
+        for (std::size_t i = 0; i < kWordBlock; ++i) {
+          cells[i] &= ~cover[i];
+          any |= cells[i];
+        }
+      };
+      for (std::size_t k = 0; k < std::min(from, to) && any != 0; ++k) drop(*items[k]);
+      for (std::size_t k = first_passed; k < end_passed && any != 0; ++k) {
+        const Word* cover = items[k]->cover.data() + block;
+        Word shared = 0;
+        for (std::size_t i = 0; i < kWordBlock; ++i) shared |= cells[i] & cover[i];
+        if (shared == 0) continue;
+        if (items[k]->fills != item.fills) return false;
+        drop(*items[k]);
+      }
+    }
+    return true;
+  }
+
+  void commute(std::vector<TermPtr>& items) {
     if (items.size() < 2) return;
     for (int k = 0; k < kCommuteMoves; ++k) {
       const std::size_t from = rng_.below(items.size());
       const std::size_t to = rng_.below(items.size());
-      try_move(items, base, from, to);
+      try_move(items, from, to);
     }
   }
 
@@ -92,26 +130,26 @@ class Stepper {
   }
 
   /// Brings items that share halfspaces or cells with a random one together into one window.
-  void gather_related(std::vector<TermPtr>& items, bool base, Window& window) {
-    const TermPtr key = items[rng_.below(items.size())];
-    std::vector<std::pair<double, TermPtr>> related;
+  void gather_related(std::vector<TermPtr>& items, Window& window) {
+    const Term* key = items[rng_.below(items.size())].get();
+    std::vector<std::pair<double, const Term*>> related;
     for (const TermPtr& item : items) {
-      if (item != key) related.emplace_back(relatedness(*item, *key), item);
+      if (item.get() != key) related.emplace_back(relatedness(*item, *key), item.get());
     }
     std::stable_sort(related.begin(), related.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
     const std::size_t wanted = std::min<std::size_t>(1 + rng_.below(4), related.size());
-    std::vector<TermPtr> block{key};
+    std::vector<const Term*> block{key};
     for (std::size_t k = 0; k < wanted; ++k) {
-      const TermPtr& item = related[k].second;
+      const Term* item = related[k].second;
       const std::size_t at = index_of(items, key);
       const std::size_t from = index_of(items, item);
       const std::size_t to = from < at ? at - 1 : at + block.size();
-      if (try_move(items, base, from, to)) block.push_back(item);
+      if (try_move(items, from, to)) block.push_back(item);
     }
     std::size_t lo = items.size();
     std::size_t hi = 0;
-    for (const TermPtr& item : block) {
+    for (const Term* item : block) {
       lo = std::min(lo, index_of(items, item));
       hi = std::max(hi, index_of(items, item));
     }
@@ -127,8 +165,10 @@ class Stepper {
     return shared + 0.5 * std::log(1.0 + overlap) + 3 * rng_.uniform();
   }
 
-  static std::size_t index_of(const std::vector<TermPtr>& items, const TermPtr& item) {
-    return static_cast<std::size_t>(std::find(items.begin(), items.end(), item) - items.begin());
+  static std::size_t index_of(const std::vector<TermPtr>& items, const Term* item) {
+    const auto is_it = [item](const TermPtr& other) { return other.get() == item; };
+    return static_cast<std::size_t>(std::find_if(items.begin(), items.end(), is_it) -
+                                    items.begin());
   }
 
   /// Finds terms that decide what the window decided, at no higher cost.

@@ -18,16 +18,19 @@ void OpenCells::reset(const ColumnTable& columns, const std::vector<Word>& open,
   for (std::size_t i = 0; i < others_.size(); i += kWordBlock) {
     blocks_.push_back(static_cast<std::uint32_t>(i));
   }
-  keep(columns.all().data());
+  take_in(*this, columns.all().data());
 }
 
-void OpenCells::keep(const Word* column) {
+void OpenCells::take_in(const OpenCells& all, const Word* column) {
+  others_.resize(all.others_.size());
+  same_.resize(all.same_.size());
+  blocks_.resize(all.blocks_.size());
   std::size_t kept = 0;
-  for (const std::uint32_t block : blocks_) {
+  for (const std::uint32_t block : all.blocks_) {
     Word any = 0;
     for (std::size_t i = block; i < block + kWordBlock; ++i) {
-      others_[i] &= column[i];
-      same_[i] &= column[i];
+      others_[i] = all.others_[i] & column[i];
+      same_[i] = all.same_[i] & column[i];
       any |= others_[i] | same_[i];
     }
     if (any != 0) blocks_[kept++] = block;
@@ -36,8 +39,11 @@ void OpenCells::keep(const Word* column) {
 }
 
 CommonCounts OpenCells::count() const {
-  return {bit_kernels().count(others_.data(), others_.size()),
-          bit_kernels().count(same_.data(), same_.size())};
+  // In common with all that are left.
+  const Word* columns[] = {others_.data(), same_.data()};
+  CommonCounts in[2];
+  count(columns, in);
+  return {in[0].a, in[1].b};
 }
 
 void OpenCells::count(std::span<const Word* const> columns, std::span<CommonCounts> out) const {

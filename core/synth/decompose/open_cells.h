@@ -17,9 +17,9 @@ class OpenCells {
   void reset(const ColumnTable& columns, const std::vector<Word>& open,
              const std::vector<Word>* gained, bool fills);
 
-  /// Keeps the cells in the column. Cells are in spatial order: most blocks soon hold none that is
-  /// left, and are forgotten.
-  void keep(const Word* column);
+  /// Those of `all` that are in the column. Cells are in spatial order: most blocks soon hold none
+  /// that is left, and are forgotten. `all` may be the cells themselves.
+  void take_in(const OpenCells& all, const Word* column);
 
   /// Whether `narrow(first word, cells)`, which clears bits of a block of cells, leaves none of the
   /// others. Ends with the first block where it does.
@@ -44,7 +44,7 @@ class OpenCells {
   void count(std::span<const Word* const> columns, std::span<CommonCounts> out) const;
 
  private:
-  std::vector<Word> others_, same_;
+  std::vector<Word> others_, same_;    ///< of blocks with bits left; what is in others is stale
   std::vector<std::uint32_t> blocks_;  ///< first words of the blocks with bits left
 };
 

@@ -57,11 +57,14 @@ SecondStart::SecondStart(const Tree& input, std::vector<Vec3> points, double sca
       run_(run),
       rebuilder_(input_, points_, scale_, options_, run_) {}
 
-Result<std::optional<RebuiltTree>> SecondStart::find(const std::vector<Vec3>& known,
+Result<std::optional<RebuiltTree>> SecondStart::find(const Arrangement& known,
+                                                     const std::vector<Vec3>& further,
                                                      const ArrangementOptions& lines,
                                                      int most_literals) {
   using Take = TreeRebuilder::Take;
-  const std::vector<LabelledPoint> labelled = rebuilder_.labelled(known);
+  std::vector<LabelledPoint> labelled = rebuilder_.labelled(known.points);
+  const std::vector<LabelledPoint> labelled_further = rebuilder_.labelled(further);
+  labelled.insert(labelled.end(), labelled_further.begin(), labelled_further.end());
   if (last_) rebuilder_.refute(*last_, labelled, Take::WrongAndNew);
   while (round_ < kMostRounds) {
     ++round_;
@@ -70,7 +73,7 @@ Result<std::optional<RebuiltTree>> SecondStart::find(const std::vector<Vec3>& kn
     if (!*tree || literal_count(**tree) > most_literals) break;
     last_ = std::move(**tree);
     if (rebuilder_.refute(*last_, labelled, Take::Wrong) > 0) continue;
-    auto good = judged(*last_, known, lines);
+    auto good = judged(*last_, known, further, lines);
     if (!good || *good) return good;
   }
   round_ = kMostRounds;
@@ -79,8 +82,8 @@ Result<std::optional<RebuiltTree>> SecondStart::find(const std::vector<Vec3>& kn
 
 /// The tree with the cells between its primitives and the input's, when none refutes it. No line
 /// runs along primitives beside which lines have run before.
-Result<std::optional<RebuiltTree>> SecondStart::judged(const Tree& tree,
-                                                       const std::vector<Vec3>& known,
+Result<std::optional<RebuiltTree>> SecondStart::judged(const Tree& tree, const Arrangement& known,
+                                                       const std::vector<Vec3>& further,
                                                        const ArrangementOptions& lines) {
   LiteralSet both;
   both.add(input_);
@@ -90,13 +93,15 @@ Result<std::optional<RebuiltTree>> SecondStart::judged(const Tree& tree,
   std::vector<int> literal_of = both.add(tree);
   ArrangementSampler sampler(both.literals(), scale_);
   sampler.add(known, run_);
+  sampler.add(further, run_);
   const std::size_t before = sampler.arrangement().size();
   sampler.add(seen_, run_);
   if (auto more = sampler.sample(look, run_); !more) return more.error();
   sampler.trust_edges();
   looked_along_ = both;
-  seen_ = sampler.arrangement().points;
-  const std::vector<Vec3> fresh(seen_.begin() + static_cast<std::ptrdiff_t>(before), seen_.end());
+  seen_ = sampler.arrangement();
+  const std::vector<Vec3> fresh(seen_.points.begin() + static_cast<std::ptrdiff_t>(before),
+                                seen_.points.end());
   const std::size_t wrong =
       rebuilder_.refute(tree, rebuilder_.labelled(fresh), TreeRebuilder::Take::WrongAndNew);
   if (wrong > 0) return std::optional<RebuiltTree>();

@@ -28,15 +28,18 @@ class SecondStart {
   /// See `TreeRebuilder::least_literals`.
   int least_literals() { return rebuilder_.least_literals(); }
 
-  /// A tree that is right on `known`, as far as points there are not free, and on the cells that
-  /// lines along its primitives find. Nothing when none is found in time or it has more than
-  /// `most_literals`; then it is of no use to ask again.
-  /// Fails with: Cancelled. Deterministic for `run.seed`, for any number of threads.
-  Result<std::optional<RebuiltTree>> find(const std::vector<Vec3>& known,
+  /// A tree that is right on the cells of `known` and on further points, as far as they are not
+  /// free, and on the cells that lines along its primitives find. Nothing when none is found in
+  /// time or it has more than `most_literals`; then it is of no use to ask again. Requires: `known`
+  /// has the given scale. Fails with: Cancelled. Deterministic for `run.seed`, for any number of
+  /// threads.
+  Result<std::optional<RebuiltTree>> find(const Arrangement& known,
+                                          const std::vector<Vec3>& further,
                                           const ArrangementOptions& lines, int most_literals);
 
  private:
-  Result<std::optional<RebuiltTree>> judged(const Tree& tree, const std::vector<Vec3>& known,
+  Result<std::optional<RebuiltTree>> judged(const Tree& tree, const Arrangement& known,
+                                            const std::vector<Vec3>& further,
                                             const ArrangementOptions& lines);
 
   const Tree& input_;
@@ -47,7 +50,7 @@ class SecondStart {
   TreeRebuilder rebuilder_;
   std::optional<Tree> last_;
   LiteralSet looked_along_;  ///< whose cells are known
-  std::vector<Vec3> seen_;   ///< a point of each
+  Arrangement seen_;         ///< those cells
   int round_ = 0;
 };
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <set>
+#include <unordered_set>
 #include <utility>
 
 namespace hewn {
@@ -146,10 +146,10 @@ std::optional<Literal> clip(const Literal& s, const Literal& tool, bool is_cut) 
   return std::nullopt;
 }
 
-int count(const Column& a) {
-  int n = 0;
-  for (const Word w : a) n += std::popcount(w);
-  return n;
+/// Keeps the cells on one side of a literal.
+void keep_side(Column& cells, const Column& literal, bool is_negated) {
+  const Word flip = is_negated ? ~Word{0} : Word{0};
+  for (std::size_t i = 0; i < cells.size(); ++i) cells[i] &= literal[i] ^ flip;
 }
 
 class Derivation {
@@ -157,8 +157,8 @@ class Derivation {
   Derivation(const std::vector<Literal>& literals, const CellColumns& cells, const Column& wanted,
              std::size_t most)
       : literals_(literals), cells_(cells), wanted_(wanted), most_(most) {
-    for (int k = 0; k < cells.literals(); ++k) known_.insert(cells.column(k));
-    known_.insert(cells.empty());
+    for (int k = 0; k < cells.literals(); ++k) known_.insert(hash_words(cells.column(k)));
+    known_.insert(hash_words(cells.empty()));
   }
 
   std::vector<DerivedLiteral> run() {
@@ -189,6 +189,7 @@ class Derivation {
   };
 
   void derive_from(const DerivedLiteral& s, std::vector<Candidate>& made) {
+    const Column whole = column_of(s, cells_);
     for (std::size_t k = 0; k < literals_.size(); ++k) {
       for (const bool is_cut : {false, true}) {
         const auto solid = clip(s.solid, literals_[k], is_cut);
@@ -200,19 +201,19 @@ class Derivation {
                              [](const auto& a, const auto& b) { return a.literal < b.literal; });
         if (at != derived.sides.end() && at->literal == side.literal) continue;
         derived.sides.insert(at, side);
-        const Column column = column_of(derived, cells_);
-        if (!known_.insert(column).second) continue;
-        made.push_back({std::move(derived), score(column)});
+        clipped_ = whole;
+        keep_side(clipped_, cells_.column(side.literal), side.is_negated);
+        if (!known_.insert(hash_words(clipped_)).second) continue;
+        made.push_back({std::move(derived), score(clipped_)});
       }
     }
   }
 
   /// Pure ones count their cells; of the others a few may still be good to cut with.
   int score(const Column& column) const {
-    Column inside = column;
-    for (std::size_t i = 0; i < inside.size(); ++i) inside[i] &= wanted_[i];
-    const int on = count(inside);
-    const int off = count(column) - on;
+    const BitKernels& bits = bit_kernels();
+    const int on = bits.count_and(column.data(), wanted_.data(), column.size());
+    const int off = bits.count(column.data(), column.size()) - on;
     if (on == 0) return off;
     return off == 0 ? 2 * on : 0;
   }
@@ -227,7 +228,8 @@ class Derivation {
   const CellColumns& cells_;
   const Column& wanted_;
   std::size_t most_;
-  std::set<Column> known_;
+  std::unordered_set<std::uint64_t> known_;  ///< hashes of columns; never iterated
+  Column clipped_;                           ///< scratch memory
 };
 
 }  // namespace
@@ -235,8 +237,7 @@ class Derivation {
 Column column_of(const DerivedLiteral& derived, const CellColumns& cells) {
   Column column = cells.all();
   for (const DerivedLiteral::Side& side : derived.sides) {
-    const Column& c = cells.column(side.literal);
-    for (std::size_t i = 0; i < column.size(); ++i) column[i] &= side.is_negated ? ~c[i] : c[i];
+    keep_side(column, cells.column(side.literal), side.is_negated);
   }
   return column;
 }

@@ -62,31 +62,65 @@ Formula from_node(const Tree& tree, int index, std::span<const int> literal_of) 
 }
 
 /// A subtree under construction: its node, the cells that it fills and its part of the proximity.
-struct Built {
+class Built {
+ public:
+  /// A literal's column is read where it stands; it must outlive this.
+  static Built leaf(int node, const Column& column) {
+    Built b;
+    b.node = node;
+    b.proximity = 1;
+    b.value_ = column;
+    return b;
+  }
+  static Built empty(const CellColumns& cells) {
+    Built b;
+    b.own_ = cells.empty();
+    b.value_ = b.own_;
+    return b;
+  }
+  Built(const Built&) = delete;
+  Built& operator=(const Built&) = delete;
+  Built(Built&&) = default;
+  Built& operator=(Built&&) = default;
+
+  std::span<const Word> value() const { return value_; }
+  /// The cells, to be changed.
+  Column& own_value() {
+    if (own_.empty()) own_.assign(value_.begin(), value_.end());
+    value_ = own_;
+    return own_;
+  }
+
   int node = -1;
-  Column value;
   int proximity = 0;
+
+ private:
+  Built() = default;
+
+  std::span<const Word> value_;  ///< of a literal, or all of `own_`
+  Column own_;
 };
 
 /// Joins `right` to `left` by a binary operation and counts their overlap.
 void join_values(Op op, Built& left, const Built& right) {
-  left.proximity += right.proximity + (intersects(left.value, right.value) ? 1 : 0);
-  for (std::size_t i = 0; i < left.value.size(); ++i) {
-    const Word r = right.value[i];
-    left.value[i] = op == Op::Union          ? left.value[i] | r
-                    : op == Op::Intersection ? left.value[i] & r
-                                             : left.value[i] & ~r;
+  left.proximity += right.proximity + (intersects(left.value(), right.value()) ? 1 : 0);
+  Column& value = left.own_value();
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const Word r = right.value()[i];
+    value[i] = op == Op::Union          ? value[i] | r
+               : op == Op::Intersection ? value[i] & r
+                                        : value[i] & ~r;
   }
 }
 
 /// Those that at least two of the parts hold.
 Column cells_of_several(const std::vector<Built>& parts) {
-  Column one(parts[0].value.size(), 0);
+  Column one(parts[0].value().size(), 0);
   Column several = one;
   for (const Built& part : parts) {
     for (std::size_t i = 0; i < one.size(); ++i) {
-      several[i] |= one[i] & part.value[i];
-      one[i] |= part.value[i];
+      several[i] |= one[i] & part.value()[i];
+      one[i] |= part.value()[i];
     }
   }
   return several;
@@ -96,15 +130,14 @@ Built measured(const Tree& tree, int index, std::span<const int> literal_of,
                const CellColumns& cells) {
   const Node& node = tree.nodes[index];
   if (node.op == Op::Literal) {
-    return {-1, cells.column(literal_of[static_cast<std::size_t>(node.literal)]), 1};
+    return Built::leaf(-1, cells.column(literal_of[static_cast<std::size_t>(node.literal)]));
   }
-  if (node.children.empty()) return {-1, cells.empty(), 0};
+  if (node.children.empty()) return Built::empty(cells);
   Built result = measured(tree, node.children[0], literal_of, cells);
   if (node.op == Op::Complement) {
     ++result.proximity;
-    for (std::size_t i = 0; i < result.value.size(); ++i) {
-      result.value[i] = cells.all()[i] & ~result.value[i];
-    }
+    Column& value = result.own_value();
+    for (std::size_t i = 0; i < value.size(); ++i) value[i] = cells.all()[i] & ~value[i];
     return result;
   }
   for (std::size_t i = 1; i < node.children.size(); ++i) {
@@ -146,8 +179,8 @@ class TreeMaker {
   Built positive(const Formula& f) {
     if (f.kind == Kind::Leaf) {
       const auto literal = static_cast<std::size_t>(f.literal);
-      return {literals_ ? tree_.add_literal((*literals_)[literal]) : -1, cells_.column(f.literal),
-              1};
+      return Built::leaf(literals_ ? tree_.add_literal((*literals_)[literal]) : -1,
+                         cells_.column(f.literal));
     }
     std::vector<Built> kept;
     std::vector<Built> cut;
@@ -157,7 +190,7 @@ class TreeMaker {
     // A formula in normal form has an operand to start from.
     HEWN_ASSERT(!kept.empty(), "an operation needs an operand that is not negated");
     Built result = folded(f.kind == Kind::And ? Op::Intersection : Op::Union, std::move(kept));
-    for (Built& tool : ordered(result.value, std::move(cut))) {
+    for (Built& tool : ordered(result.value(), std::move(cut))) {
       join(Op::Difference, result, tool);
     }
     return result;
@@ -171,13 +204,13 @@ class TreeMaker {
     const Column shared = cells_of_several(parts);
     std::vector<char> may_overlap;
     for (const std::size_t i : rest) {
-      may_overlap.push_back(intersects(parts[i].value, shared) ? 1 : 0);
+      may_overlap.push_back(intersects(parts[i].value(), shared) ? 1 : 0);
     }
     Built result = std::move(parts[0]);
     while (!rest.empty()) {
       std::size_t next = 0;
       for (std::size_t i = 0; i < rest.size(); ++i) {
-        if (!may_overlap[i] || !intersects(parts[rest[i]].value, result.value)) continue;
+        if (!may_overlap[i] || !intersects(parts[rest[i]].value(), result.value())) continue;
         next = i;
         break;
       }
@@ -189,9 +222,9 @@ class TreeMaker {
   }
 
   /// Tools that overlap the solid first: later ones may no longer.
-  static std::vector<Built> ordered(const Column& solid, std::vector<Built> tools) {
+  static std::vector<Built> ordered(std::span<const Word> solid, std::vector<Built> tools) {
     std::stable_partition(tools.begin(), tools.end(),
-                          [&](const Built& t) { return intersects(t.value, solid); });
+                          [&](const Built& t) { return intersects(t.value(), solid); });
     return tools;
   }
 
@@ -347,7 +380,7 @@ std::size_t count_differences(const Column& a, const Column& b, const Column& ma
   return n;
 }
 
-bool intersects(const Column& a, const Column& b) {
+bool intersects(std::span<const Word> a, std::span<const Word> b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     if ((a[i] & b[i]) != 0) return true;
   }

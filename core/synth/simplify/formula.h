@@ -91,6 +91,6 @@ Column differences(const Column& a, const Column& b, const Column& mask);
 std::size_t count_differences(const Column& a, const Column& b, const Column& mask);
 
 /// Whether `a & b` is not empty.
-bool intersects(const Column& a, const Column& b);
+bool intersects(std::span<const Word> a, std::span<const Word> b);
 
 }  // namespace hewn

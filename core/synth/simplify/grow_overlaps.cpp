@@ -174,9 +174,7 @@ class Growth {
     for (std::size_t i = 0; i < n && !run_.is_cancelled(); ++i) {
       near.visit_near(points_[i], [&](std::size_t u) {
         const auto k = static_cast<std::size_t>(used[u]);
-        if (distance_within(literals_[k], bounds[u], points_[i], 0) < 0) {
-          set_bit(columns[k].data(), i);
-        }
+        if (literal_contains(literals_[k], bounds[u], points_[i])) set_bit(columns[k].data(), i);
         return true;
       });
     }

@@ -37,6 +37,7 @@ std::size_t random_cell(const Column& cells, int count, Rng& rng) {
 Resynthesis::Resynthesis(const CellColumns& cells) : cells_(cells) {
   for (int k = 0; k < cells.literals(); ++k) columns_.push_back(cells.column(k).data());
   counts_.resize(columns_.size());
+  taken_counts_.resize(columns_.size());
 }
 
 std::optional<Formula> Resynthesis::attempt(const CellTask& task, int budget, Rng& rng) {
@@ -44,14 +45,46 @@ std::optional<Formula> Resynthesis::attempt(const CellTask& task, int budget, Rn
   return solve(rest, budget, rng);
 }
 
+/// What the cells, in one or two columns, have in common with every literal.
+void Resynthesis::count_common(const Column& a, const Column& b, std::vector<CommonCounts>& out) {
+  blocks_.clear();
+  for (std::size_t block = 0; block < a.size(); block += kWordBlock) {
+    Word any = 0;
+    for (std::size_t i = block; i < block + kWordBlock; ++i) any |= a[i] | b[i];
+    if (any != 0) blocks_.push_back(static_cast<std::uint32_t>(block));
+  }
+  bit_kernels().count_common_in(a.data(), b.data(), columns_, blocks_, out);
+}
+
 /// False when one side is empty: the answer is a constant.
-bool Resynthesis::count(const CellTask& task) {
-  const std::size_t words = cells_.words();
-  on_ = bit_kernels().count(task.on.data(), words);
-  off_ = bit_kernels().count(task.off.data(), words);
+bool Resynthesis::has_two_sides() {
   if (on_ == 0 || off_ == 0) return false;
-  bit_kernels().count_common(task.on.data(), task.off.data(), columns_, words, counts_);
-  work_ += static_cast<double>(words) * static_cast<double>(2 * columns_.size() + 20);
+  work_ += static_cast<double>(cells_.words()) * static_cast<double>(2 * columns_.size() + 20);
+  return true;
+}
+
+/// Counts anew. False when one side is empty.
+bool Resynthesis::count(const CellTask& task) {
+  on_ = bit_kernels().count(task.on.data(), task.on.size());
+  off_ = bit_kernels().count(task.off.data(), task.off.size());
+  if (!has_two_sides()) return false;
+  count_common(task.on, task.off, counts_);
+  return true;
+}
+
+/// Takes the cells that the move decides out of its side of the task, and out of what was counted.
+/// False when one side is empty then.
+bool Resynthesis::take_away(CellTask& task, const Move& move) {
+  Column& side = move.is_cut ? task.off : task.on;
+  taken_ = side;
+  keep(side, cells_.column(move.literal), move.is_cut != move.is_negated);
+  for (std::size_t i = 0; i < side.size(); ++i) taken_[i] &= ~side[i];
+  (move.is_cut ? off_ : on_) -= bit_kernels().count(taken_.data(), taken_.size());
+  if (!has_two_sides()) return false;
+  count_common(taken_, taken_, taken_counts_);
+  for (std::size_t k = 0; k < counts_.size(); ++k) {
+    (move.is_cut ? counts_[k].b : counts_[k].a) -= taken_counts_[k].a;
+  }
   return true;
 }
 
@@ -83,6 +116,10 @@ Resynthesis::Move Resynthesis::best_peel(Rng& rng) const {
 
 std::optional<Formula> Resynthesis::solve(CellTask& task, int budget, Rng& rng) {
   if (!count(task)) return Formula::constant(on_ > 0);
+  return solve_counted(task, budget, rng);
+}
+
+std::optional<Formula> Resynthesis::solve_counted(CellTask& task, int budget, Rng& rng) {
   if (budget < 1) return std::nullopt;
   if (auto literal = single()) return literal;
   if (budget < 2) return std::nullopt;
@@ -92,9 +129,8 @@ std::optional<Formula> Resynthesis::solve(CellTask& task, int budget, Rng& rng) 
 }
 
 std::optional<Formula> Resynthesis::peel(CellTask& task, const Move& move, int budget, Rng& rng) {
-  const Column& column = cells_.column(move.literal);
-  keep(move.is_cut ? task.off : task.on, column, move.is_cut != move.is_negated);
-  auto rest = solve(task, budget - 1, rng);
+  auto rest =
+      take_away(task, move) ? solve_counted(task, budget - 1, rng) : Formula::constant(on_ > 0);
   if (!rest) return std::nullopt;
   std::vector<Formula> parts;
   parts.push_back(Formula::leaf(move.literal, move.is_negated));

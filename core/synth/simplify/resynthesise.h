@@ -34,7 +34,11 @@ class Resynthesis {
   };
 
   std::optional<Formula> solve(CellTask& task, int budget, Rng& rng);
+  std::optional<Formula> solve_counted(CellTask& task, int budget, Rng& rng);
+  void count_common(const Column& a, const Column& b, std::vector<CommonCounts>& out);
+  bool has_two_sides();
   bool count(const CellTask& task);
+  bool take_away(CellTask& task, const Move& move);
   std::optional<Formula> single() const;
   Move best_peel(Rng& rng) const;
   std::optional<Formula> peel(CellTask& task, const Move& move, int budget, Rng& rng);
@@ -43,7 +47,10 @@ class Resynthesis {
 
   const CellColumns& cells_;
   std::vector<const Word*> columns_;
-  std::vector<CommonCounts> counts_;  ///< of the task's on and off in each literal
+  std::vector<std::uint32_t> blocks_;  ///< first words of blocks with any cell to count
+  std::vector<CommonCounts> counts_;   ///< of the task's on and off in each literal
+  Column taken_;                       ///< by the last peel
+  std::vector<CommonCounts> taken_counts_;
   int on_ = 0, off_ = 0;
   double work_ = 0;
 };

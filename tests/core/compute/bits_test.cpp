@@ -37,20 +37,22 @@ TEST_CASE("every instruction set counts the same bits") {
       CHECK(kernels->count_and(a.data(), b.data(), words) == both);
       CHECK(kernels->count_xor(a.data(), b.data(), words) == differ);
       CHECK(kernels->count(a.data(), words) == kernels->count_and(a.data(), a.data(), words));
-      const std::vector<const Word*> columns{c.data(), a.data()};
-      std::vector<CommonCounts> counts(2);
-      kernels->count_common(a.data(), b.data(), columns, words, counts);
-      CHECK(counts[0].a == with_a);
-      CHECK(counts[0].b == with_b);
-      CHECK(counts[1].b == both);
+      // Some kernels take several columns at once, and what is left of them.
+      const std::vector<const Word*> columns{c.data(), a.data(), b.data(),
+                                             c.data(), c.data(), a.data()};
       std::vector<std::uint32_t> blocks;
       for (std::size_t i = 0; i < words; i += kWordBlock) {
         blocks.push_back(static_cast<std::uint32_t>(i));
       }
-      std::vector<CommonCounts> in_blocks(2);
+      std::vector<CommonCounts> in_blocks(columns.size());
       kernels->count_common_in(a.data(), b.data(), columns, blocks, in_blocks);
-      CHECK(in_blocks[0].a == with_a);
+      for (const std::size_t k : {0, 3, 4}) {
+        CHECK(in_blocks[k].a == with_a);
+        CHECK(in_blocks[k].b == with_b);
+      }
       CHECK(in_blocks[1].b == both);
+      CHECK(in_blocks[2].a == both);
+      CHECK(in_blocks[5].b == both);
       blocks.erase(blocks.begin());
       kernels->count_common_in(a.data(), b.data(), columns, blocks, in_blocks);
       CHECK(in_blocks[0].a ==

@@ -99,6 +99,23 @@ TEST_CASE("the bounds hold the solid and touch it") {
   }
 }
 
+TEST_CASE("a literal contains the points whose distance is negative, whatever its bounds tell") {
+  Rng rng(13);
+  for (int i = 0; i < 200; ++i) {
+    Literal s = testing::random_literal(rng);
+    if (s.kind == SolidKind::Box && rng.coin()) {
+      s.stretch = Stretch::of(Mat3::Identity() + 0.2 * testing::random_rotation(rng));
+    }
+    const LiteralBounds bounds(s);
+    for (int k = 0; k < 100; ++k) {
+      const Vec3 p = testing::random_point(rng, 2.5);
+      const bool is_inside = s.signed_distance(p) < 0;
+      REQUIRE(s.contains(p) == is_inside);
+      REQUIRE(literal_contains(s, bounds, p) == is_inside);
+    }
+  }
+}
+
 TEST_CASE("bounds stand in for distances beyond the reach only") {
   Rng rng(77);
   int skipped_inside = 0;

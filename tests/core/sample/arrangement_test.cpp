@@ -118,6 +118,28 @@ TEST_CASE("known cells are not found again, unknown ones wherever sampling start
   CHECK(static_cast<double>(missed) <= 0.02 * static_cast<double>(all.size()));
 }
 
+TEST_CASE("cells of an arrangement over other literals come over as their points do") {
+  Rng rng(14);
+  std::vector<Literal> some;
+  for (int k = 0; k < 70; ++k) some.push_back(testing::random_literal(rng));
+  std::vector<Literal> others;
+  for (int k = 0; k < 9; ++k) others.push_back(testing::random_literal(rng));
+  others.insert(others.begin() + 4, some.rbegin(), some.rbegin() + 60);
+  ArrangementOptions few;
+  few.volume_lines = 100;
+  few.lines_per_face = few.curves_per_face = 1;
+  few.crossing_lines = 100;
+  ArrangementSampler known(some, 4);
+  REQUIRE(known.sample(few, {}).has_value());
+  ArrangementSampler by_points(others, 4);
+  ArrangementSampler by_cells(others, 4);
+  const std::size_t added = by_points.add(known.arrangement().points, {});
+  CHECK(added > 100);
+  CHECK(by_cells.add(known.arrangement(), {}) == added);
+  CHECK(by_cells.arrangement().points == by_points.arrangement().points);
+  CHECK(by_cells.arrangement().signatures == by_points.arrangement().signatures);
+}
+
 TEST_CASE("sampling stops on request") {
   ArrangementSampler sampler({box({0, 0, 0}, {1, 1, 1})}, 1);
   RunContext run;
