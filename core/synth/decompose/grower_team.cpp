@@ -7,9 +7,10 @@
 namespace hewn {
 
 GrowerTeam::GrowerTeam(const ColumnTable& columns, const Combinability& combinability,
-                       const RunContext& run)
+                       const RunContext& run, double least_seconds)
     : columns_(&columns),
       run_(&run),
+      least_seconds_(least_seconds),
       compute_(compute_of(run)),
       growers_(idle_workers(run.threads), TermGrower(columns, combinability)) {
   std::vector<const Word*> insides;
@@ -38,6 +39,7 @@ PairsByKind GrowerTeam::count_pairs(std::span<const GrowRequest> requests,
                                     const std::vector<Word>& open,
                                     const std::vector<Word>* required) {
   PairsByKind counted = {};
+  if (pairs_[0].seconds() < least_seconds_) return counted;
   std::array<bool, kGrowKinds> is_met = {};
   for (const GrowRequest& request : requests) {
     const std::size_t kind = kind_of(request);

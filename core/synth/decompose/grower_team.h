@@ -11,12 +11,17 @@
 
 namespace hewn {
 
-/// A grower for each thread that may join in. On an accelerator, where one pays, all pairs of
-/// literals are counted before.
+/// A grower for each thread that may join in.
 class GrowerTeam {
  public:
+  /// All pairs of literals are counted before, on an accelerator, where that would keep one core
+  /// busy for longer: the growers on all cores count only what they need, and there is a launch for
+  /// each call.
+  static constexpr double kLeastSeconds = 5e-3;
+
   /// All three must outlive it.
-  GrowerTeam(const ColumnTable& columns, const Combinability& combinability, const RunContext& run);
+  GrowerTeam(const ColumnTable& columns, const Combinability& combinability, const RunContext& run,
+             double least_seconds = kLeastSeconds);
 
   /// A term per request, as by `TermGrower::grow` after `set_open`: the same for any number of
   /// threads. The result is valid until the next call; once the run is cancelled it lacks terms.
@@ -32,6 +37,7 @@ class GrowerTeam {
 
   const ColumnTable* columns_;
   const RunContext* run_;
+  double least_seconds_;
   std::shared_ptr<Compute> compute_;
   std::vector<PairCounts> pairs_;  ///< by kind of term
   OpenCells cells_;

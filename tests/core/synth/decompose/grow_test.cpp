@@ -84,7 +84,7 @@ TEST_CASE("what terms share does not change them: in a batch as alone, with any 
   for (const int threads : {1, 2}) {
     RunContext run;
     run.threads = threads;
-    GrowerTeam team(f.columns, f.combinability, run);
+    GrowerTeam team(f.columns, f.combinability, run, 0);
     const auto batch = team.grow(requests, open, &required);
     CHECK(team.terms_grown() == static_cast<long>(requests.size()));
     int grown = 0;
@@ -116,7 +116,7 @@ TEST_CASE("terms are the same where a device counts pairs of literals, and where
     request.random = rng.next();
   }
   const auto grown = [&](const RunContext& run) {
-    GrowerTeam team(f.columns, f.combinability, run);
+    GrowerTeam team(f.columns, f.combinability, run, 0);
     std::vector<std::vector<TermLiteral>> literals;
     for (const auto& term : team.grow(requests, f.space.care, &f.columns.wanted())) {
       literals.push_back(term ? term->literals : std::vector<TermLiteral>());
