@@ -236,6 +236,7 @@ class TreeComparison {
     std::vector<std::uint64_t> stack;
     std::size_t visited;
     double owed;  ///< points that smaller cells were too small for
+    TreeRayScratch ray_scratch = {};
 
     bool is_proved(Cell& cell) {
       if (cell.open.size() > kMostVariables) return false;
@@ -308,7 +309,7 @@ class TreeComparison {
     void judge(const Vec3& p) {
       const double allowed = all.options_.allowed_distance;
       const bool is_measured = out.different + out.tolerated < kMostMeasured;
-      const double d = distance_along_rays(all.rays_, p, is_measured ? 0 : allowed);
+      const double d = distance_along_rays(all.rays_, p, is_measured ? 0 : allowed, ray_scratch);
       if (is_measured || d <= allowed) out.largest_distance = std::max(out.largest_distance, d);
       if (d <= allowed) {
         ++out.tolerated;
@@ -348,8 +349,8 @@ constexpr double kBeyondRounding = 1 + 1e-9;
 
 }  // namespace
 
-double distance_along_rays(const TreeRays& rays, const Vec3& p, double enough) {
-  TreeRayScratch scratch;
+double distance_along_rays(const TreeRays& rays, const Vec3& p, double enough,
+                           TreeRayScratch& scratch) {
   bool is_nearby = enough > 0;
   if (is_nearby && rays.look_around(p, enough, scratch) != Nearby::Surface) return kInfinity;
   double nearest = kInfinity;

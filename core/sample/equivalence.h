@@ -47,6 +47,7 @@ Result<Equivalence> compare_trees(const Tree& a, const Tree& b, const Equivalenc
 /// An upper bound on the distance from `p` to the tree's surface: the shortest of 26 rays; infinite
 /// when none meets it. Stops at the first one not longer than `enough`; unless that is 0, what it
 /// returns beyond it only says that there is none.
-double distance_along_rays(const TreeRays& rays, const Vec3& p, double enough);
+double distance_along_rays(const TreeRays& rays, const Vec3& p, double enough,
+                           TreeRayScratch& scratch);
 
 }  // namespace hewn

@@ -14,8 +14,9 @@ namespace {
 
 constexpr int kHops = 4;
 
-/// Moves a point towards the middle of its cell along a random line.
-Vec3 hop(const TreeRays& literals, const Vec3& p, double scale, Rng& rng) {
+/// Moves a point towards the middle of its cell along a random line. `stretches` is scratch memory.
+Vec3 hop(const TreeRays& literals, const Vec3& p, double scale, Rng& rng,
+         std::vector<TreeInterval>& stretches) {
   Vec3 d;
   for (int k = 0; k < 3; ++k) d[k] = rng.uniform(-1, 1);
   if (d.squaredNorm() < 1e-6) return p;
@@ -23,7 +24,6 @@ Vec3 hop(const TreeRays& literals, const Vec3& p, double scale, Rng& rng) {
   const double reach = 2 * scale;
   double before = 0;
   double after = 2 * reach;
-  std::vector<TreeInterval> stretches;
   literals.cast_literals(p - reach * d, d, stretches);
   for (const TreeInterval& s : stretches) {
     for (const double t : {s.enter.t, s.leave.t}) {
@@ -44,14 +44,18 @@ std::vector<CellDepth> find_thin_cells(const Tree& tree, const Arrangement& arra
   Tree all;
   all.literals = arrangement.literals;
   const TreeRays literals(all);
-  const auto is_deep = [&](const Vec3& p) { return distance_along_rays(rays, p, depth) > depth; };
   for_each_chunk(run.threads, depths.size(), 16, [&](std::size_t begin, std::size_t end) {
+    TreeRayScratch scratch;
+    std::vector<TreeInterval> stretches;
+    const auto is_deep = [&](const Vec3& p) {
+      return distance_along_rays(rays, p, depth, scratch) > depth;
+    };
     for (std::size_t i = begin; i < end && !run.is_cancelled(); ++i) {
       Rng rng(run.seed, cells[i]);
       Vec3 p = arrangement.points[cells[i]];
       bool found_deep = is_deep(p);
       for (int k = 0; k < kHops && !found_deep; ++k) {
-        p = hop(literals, p, arrangement.scale, rng);
+        p = hop(literals, p, arrangement.scale, rng, stretches);
         found_deep = is_deep(p);
       }
       depths[i] = {!found_deep, p};

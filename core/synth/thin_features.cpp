@@ -50,11 +50,12 @@ std::vector<ThinFeature> thin_features(const Tree& tree, const Arrangement& arra
     }
   }
   const TreeRays rays(tree);
+  TreeRayScratch scratch;
   std::vector<ThinFeature> by_root(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
     ThinFeature& f = by_root[sets.find(i)];
     const Vec3& p = arrangement.points[cells[i]];
-    const double thickness = 2 * distance_along_rays(rays, p, 0);
+    const double thickness = 2 * distance_along_rays(rays, p, 0, scratch);
     if (f.cells == 0 || thickness > f.thickness) {
       f.at = p;
       f.thickness = thickness;

@@ -80,7 +80,8 @@ std::vector<BoundaryHit> boundary_hits(const TreeRays& rays, const TreeSurfaces&
 }
 
 bool is_free(const TreeRays& rays, const Vec3& p, double depth) {
-  return depth > 0 && distance_along_rays(rays, p, depth) <= depth;
+  TreeRayScratch scratch;
+  return depth > 0 && distance_along_rays(rays, p, depth, scratch) <= depth;
 }
 
 }  // namespace hewn

@@ -83,9 +83,10 @@ TEST_CASE("solids that differ as a whole are told apart") {
 TEST_CASE("an upper bound of the distance to the surface") {
   const Tree tree = single(box({0, 0, 0}, {2, 2, 2}));
   const TreeRays rays(tree);
-  CHECK(distance_along_rays(rays, Vec3(1, 1, 1.7), 0) == doctest::Approx(0.3));
-  CHECK(distance_along_rays(rays, Vec3(1, 1, 2.5), 0) == doctest::Approx(0.5));
-  CHECK(distance_along_rays(rays, Vec3(9, 5.5, 1), 0) == kInfinity);
+  TreeRayScratch scratch;
+  CHECK(distance_along_rays(rays, Vec3(1, 1, 1.7), 0, scratch) == doctest::Approx(0.3));
+  CHECK(distance_along_rays(rays, Vec3(1, 1, 2.5), 0, scratch) == doctest::Approx(0.5));
+  CHECK(distance_along_rays(rays, Vec3(9, 5.5, 1), 0, scratch) == kInfinity);
 }
 
 }  // namespace
