@@ -130,7 +130,7 @@ TEST_CASE("terms are the same where a device counts pairs of literals, and where
     run.compute = std::make_shared<Compute>(1, DeviceChoice{DeviceChoice::Kind::Cuda, 0},
                                             testing::opens(device, good_calls, testing::kLost));
     CHECK(grown(run) == expected);
-    CHECK(run.compute->accelerated_jobs() == (good_calls > 100 ? 4 : 0));
+    CHECK((run.compute->accelerated_jobs() > 0) == (good_calls > 100));
   }
 }
 
