@@ -104,6 +104,7 @@ class CudaDevice final : public Device {
       start_with<DeviceGrain>(kernel);
     }
   }
+
   template <class Grain, class K>
   void start_with(const K& kernel) const {
     const std::int64_t items = kernel.template items<Grain>();

@@ -27,7 +27,6 @@ class PairCounts {
   CommonCounts of(std::size_t first, std::size_t second) const {
     return counts_[first * columns_.size() + second];
   }
-  std::size_t columns() const { return columns_.size(); }
 
   /// Estimate for `Compute::run`: measured on one core (docs/performance.md).
   double seconds() const {

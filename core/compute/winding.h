@@ -29,8 +29,6 @@ class WindingTree {
   Result<void> find_inside(Device& device, std::span<const Vec3> points, std::span<Inside> out,
                            const RunContext& run) const;
 
-  std::size_t triangles() const { return triangles_.size(); }
-
   /// Estimate for `Compute::run`: measured on one core (docs/performance.md).
   static double seconds_for(std::size_t points) { return 5e-7 * static_cast<double>(points); }
 
