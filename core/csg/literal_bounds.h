@@ -17,11 +17,10 @@ struct LiteralBounds {
 
 /// How far `p` lies beyond the bounds' farthest side; negative inside.
 inline double distance_beyond(const LiteralBounds& bounds, const Vec3& p) {
-  double beyond = -kInfinity;
-  for (int k = 0; k < 3; ++k) {
-    beyond = std::max({beyond, bounds.box.lo[k] - p[k], p[k] - bounds.box.hi[k]});
-  }
-  return beyond;
+  const auto along = [&](int k) {
+    return std::max(bounds.box.lo[k] - p[k], p[k] - bounds.box.hi[k]);
+  };
+  return std::max(std::max(along(0), along(1)), along(2));
 }
 
 /// Whether the literal holds `p`: `literal.contains(p)`.

@@ -2,6 +2,7 @@
 /// Membership in a tree's solid without distances.
 #include <vector>
 
+#include "core/csg/branching_program.h"
 #include "core/csg/literal_bounds.h"
 #include "core/csg/tree.h"
 
@@ -13,12 +14,11 @@ class TreeInside {
  public:
   explicit TreeInside(const Tree& tree);
 
-  bool contains(const Vec3& x) const { return tree_->root >= 0 && contains(tree_->root, x); }
+  bool contains(const Vec3& x) const;
 
  private:
-  bool contains(int node, const Vec3& x) const;
-
   const Tree* tree_;
+  BranchingProgram program_;
   std::vector<LiteralBounds> bounds_;  ///< of each literal
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/csg/branching_program.h"
 #include "core/csg/tree.h"
 
 namespace hewn {
@@ -19,22 +20,10 @@ struct ProgramLiteral {
   std::array<float, 4> shape{};
 };
 
-/// Looks at one literal, and goes on to `inside` or `outside`: an index of a step, or one of the
-/// two answers.
-struct ProgramStep {
-  std::uint32_t literal = 0, inside = 0, outside = 0, unused = 0;
-  bool operator==(const ProgramStep&) const = default;
-};
-
-struct TreeProgram {
-  static constexpr std::uint32_t kSolid = 0xFFFFFFFEU;  ///< the point is inside the tree
-  static constexpr std::uint32_t kEmpty = 0xFFFFFFFFU;  ///< it is not
-
+struct TreeProgram : BranchingProgram {
   Vec3 origin = Vec3::Zero();
   Box3 bounds;                           ///< of the solid, model coordinates
   std::vector<ProgramLiteral> literals;  ///< in the tree's order
-  std::vector<ProgramStep> steps;        ///< each goes only to later ones; one per leaf
-  std::uint32_t start = kEmpty;          ///< first step, or an answer
   int stretches = 0;  ///< at most so many intervals lie on a ray, over all literals
   /// As which literal each flat end is shown, six a literal: by axis, the lower end first.
   std::vector<std::int32_t> shown;

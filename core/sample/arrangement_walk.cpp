@@ -1,6 +1,5 @@
 #include "core/sample/arrangement_walk.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -27,8 +26,7 @@ void Walker::line(const ProbeLine& probe) {
     events_.emplace_back(s.leave.t, s.leave.literal);
   }
   // In whatever order those at the same place: no cell lies between them.
-  std::sort(events_.begin(), events_.end(),
-            [](const auto& a, const auto& b) { return a.first < b.first; });
+  sort_(events_, [](const auto& event) { return event.first; });
   std::uint64_t key = 0;
   const double shortest = 4 * kUncertain * place_.arrangement.scale;
   for (std::size_t i = 0; i < events_.size(); ++i) {

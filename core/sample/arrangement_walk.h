@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/bucket_sort.h"
 #include "core/csg/tree_ray.h"
 #include "core/sample/arrangement.h"
 #include "core/sample/arrangement_lines.h"
@@ -74,7 +75,9 @@ class Walker {
 
   const Walkable& place_;
   Finds& finds_;
-  std::vector<std::pair<double, int>> events_;
+  using Event = std::pair<double, int>;  ///< a crossing's place, and the literal
+  std::vector<Event> events_;
+  BucketSorter<Event> sort_;
   std::vector<TreeInterval> stretches_;
   std::vector<Near> near_;
   double radius_ = 0;  ///< of the circle

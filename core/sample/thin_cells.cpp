@@ -12,7 +12,7 @@
 namespace hewn {
 namespace {
 
-constexpr int kHops = 4;
+constexpr int kHops = 2;
 
 /// Moves a point towards the middle of its cell along a random line. `stretches` is scratch memory.
 Vec3 hop(const TreeRays& literals, const Vec3& p, double scale, Rng& rng,

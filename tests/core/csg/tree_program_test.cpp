@@ -18,12 +18,7 @@ std::vector<bool> insides(const Tree& tree, const Vec3& x) {
 
 /// The program's answer where `is_inside[l]` tells whether a point lies inside literal l.
 bool answer(const TreeProgram& program, const std::vector<bool>& is_inside) {
-  std::uint32_t at = program.start;
-  while (at < program.steps.size()) {
-    const ProgramStep& step = program.steps[at];
-    at = is_inside[step.literal] ? step.inside : step.outside;
-  }
-  return at == TreeProgram::kSolid;
+  return program.run([&](std::uint32_t literal) { return is_inside[literal]; });
 }
 
 bool holds_polyhedron(const Tree& tree) {
