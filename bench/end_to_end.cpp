@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include "app/keep_freed_memory.h"
+#include "app/heap.h"
 #include "core/fit/surface_set.h"
 #include "core/io/openscad.h"
 #include "core/mesh/load.h"

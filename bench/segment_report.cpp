@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "app/heap.h"
 #include "core/fit/surface_set.h"
 #include "core/mesh/load.h"
 #include "core/segment/segment.h"
@@ -109,6 +110,7 @@ void report(const std::string& path, const SegmentOptions& options, int threads,
 }  // namespace hewn
 
 int main(int argc, char** argv) {
+  hewn::keep_freed_memory();
   // segment_report [-v] [--threads N] [--OPTION VALUE]... FILE...
   bool verbose = false;
   int threads = 0;

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/hewn-studio/window.h"
-#include "app/keep_freed_memory.h"
+#include "app/heap.h"
 
 int main(int argc, char** argv) {
   hewn::keep_freed_memory();

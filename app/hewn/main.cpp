@@ -15,7 +15,7 @@
 #include <fmt/format.h>
 
 #include "app/hewn/commands.h"
-#include "app/keep_freed_memory.h"
+#include "app/heap.h"
 #include "core/compute/compute.h"
 #include "gpu/cuda_device.h"
 

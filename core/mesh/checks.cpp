@@ -23,8 +23,7 @@ int count_loops(const std::vector<EdgeSide>& boundary, std::size_t vertices) {
 
 }  // namespace
 
-void check_topology(const Soup& soup, MeshReport& report) {
-  const std::vector<EdgeSide> sides = sorted_sides(soup.triangles);
+void check_topology(const Soup& soup, std::span<const EdgeSide> sides, MeshReport& report) {
   IndexGroups groups(soup.triangles.size());
   std::vector<EdgeSide> boundary;
   report.is_closed = true;

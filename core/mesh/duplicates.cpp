@@ -40,9 +40,25 @@ void for_each_duplicate(std::span<const Copy> copies, const Visit& visit) {
   }
 }
 
+/// Whether two triangles on one edge have the same third corner.
+bool has_copies(const std::vector<Triangle>& triangles, std::span<const EdgeSide> sides) {
+  bool has_any = false;
+  std::vector<int> corners;
+  for_each_edge(sides, [&](std::span<const EdgeSide> edge) {
+    if (edge.size() < 2 || has_any) return;
+    corners.clear();
+    for (const EdgeSide& side : edge) {
+      corners.push_back(triangles[side.triangle()][(side.corner() + 2) % 3]);
+    }
+    std::sort(corners.begin(), corners.end());
+    has_any = std::adjacent_find(corners.begin(), corners.end()) != corners.end();
+  });
+  return has_any;
+}
+
 /// Per triangle: whether the whole connected part that it belongs to is there more than once.
 std::vector<char> in_doubled_parts(std::size_t count, std::span<const Copy> copies,
-                                   const std::vector<EdgeSide>& sides) {
+                                   std::span<const EdgeSide> sides) {
   IndexGroups parts(count);
   for_each_edge(sides, [&](std::span<const EdgeSide> edge) {
     for (const EdgeSide& side : edge) parts.join(edge[0].triangle(), side.triangle());
@@ -60,7 +76,7 @@ std::vector<char> in_doubled_parts(std::size_t count, std::span<const Copy> copi
 }
 
 /// Whether the edges need one of the copies to be closed.
-bool closes_edges(std::span<const Copy> same, const std::vector<EdgeSide>& sides) {
+bool closes_edges(std::span<const Copy> same, std::span<const EdgeSide> sides) {
   const Triangle& c = same.front().corners;
   int odd_edges = 0;
   for (int k = 0; k < 3; ++k) {
@@ -77,12 +93,9 @@ bool closes_edges(std::span<const Copy> same, const std::vector<EdgeSide>& sides
 
 }  // namespace
 
-int remove_duplicates(Soup& soup) {
+int remove_duplicates(Soup& soup, std::span<const EdgeSide> sides) {
+  if (!has_copies(soup.triangles, sides)) return 0;
   const std::vector<Copy> copies = sorted_copies(soup.triangles);
-  bool has_any = false;
-  for_each_duplicate(copies, [&](std::span<const Copy>) { has_any = true; });
-  if (!has_any) return 0;
-  const std::vector<EdgeSide> sides = sorted_sides(soup.triangles);
   const std::vector<char> is_doubled = in_doubled_parts(soup.triangles.size(), copies, sides);
   int removed = 0;
   for_each_duplicate(copies, [&](std::span<const Copy> same) {

@@ -77,9 +77,8 @@ bool measure_offset(const Mesh& mesh, const EdgeSide& side, const EdgeSide& othe
 
 /// The standard deviation of the vertices about the faces that they are meant to lie on, from
 /// neighbouring triangles that are nearly coplanar; 0 when there are too few of them.
-double flatness_noise(const Mesh& mesh) {
+double flatness_noise(const Mesh& mesh, std::span<const EdgeSide> sides) {
   const double limit = 1e-4 * mesh.diagonal();
-  const std::vector<EdgeSide> sides = sorted_sides(mesh.triangles);
   std::vector<double> offsets;
   std::size_t edges = 0;
   for_each_edge(sides, [&](std::span<const EdgeSide> edge) {
@@ -99,8 +98,8 @@ double flatness_noise(const Mesh& mesh) {
 
 }  // namespace
 
-double estimate_noise(const Mesh& mesh) {
-  return std::max(rounding_of(mesh), flatness_noise(mesh));
+double estimate_noise(const Mesh& mesh, std::span<const EdgeSide> sides) {
+  return std::max(rounding_of(mesh), flatness_noise(mesh, sides));
 }
 
 }  // namespace hewn

@@ -29,9 +29,8 @@ struct Neighbour {
 };
 
 /// Per triangle side the one neighbour, where there is exactly one.
-std::vector<Neighbour> find_neighbours(const std::vector<Triangle>& triangles) {
-  std::vector<Neighbour> neighbours(triangles.size() * 3);
-  const std::vector<EdgeSide> sides = sorted_sides(triangles);
+std::vector<Neighbour> find_neighbours(std::span<const EdgeSide> sides) {
+  std::vector<Neighbour> neighbours(sides.size());
   for_each_edge(sides, [&](std::span<const EdgeSide> edge) {
     if (edge.size() != 2) return;
     const bool agrees = edge[0].is_reversed() != edge[1].is_reversed();
@@ -69,12 +68,13 @@ void flood(const std::vector<Neighbour>& neighbours, int seed, Patches& patches)
   patches.size.push_back(size);
 }
 
-Patches find_patches(const std::vector<Triangle>& triangles) {
+Patches find_patches(std::span<const EdgeSide> sides) {
+  const std::size_t triangles = sides.size() / 3;
   Patches patches;
-  patches.patch_of.assign(triangles.size(), -1);
-  patches.is_flipped.assign(triangles.size(), 0);
-  const std::vector<Neighbour> neighbours = find_neighbours(triangles);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
+  patches.patch_of.assign(triangles, -1);
+  patches.is_flipped.assign(triangles, 0);
+  const std::vector<Neighbour> neighbours = find_neighbours(sides);
+  for (std::size_t t = 0; t < triangles; ++t) {
     if (patches.patch_of[t] < 0) flood(neighbours, static_cast<int>(t), patches);
   }
   return patches;
@@ -177,9 +177,8 @@ bool encloses(const Shell& outer, const Shell& inner) {
                      [&](const Vec3& p) { return outer.query->contains(p); });
 }
 
-std::vector<char> find_closed_patches(const Soup& soup, const Patches& patches) {
+std::vector<char> find_closed_patches(std::span<const EdgeSide> sides, const Patches& patches) {
   std::vector<char> is_closed(patches.count(), 1);
-  const std::vector<EdgeSide> sides = sorted_sides(soup.triangles);
   for_each_edge(sides, [&](std::span<const EdgeSide> edge) {
     // Where several patches meet in one edge, each is closed when it passes through it in pairs.
     for (const EdgeSide& side : edge) {
@@ -211,8 +210,9 @@ std::vector<int> nesting_depths(const Soup& soup, const Patches& patches,
 
 }  // namespace
 
-Result<void> orient_triangles(Soup& soup, MeshReport& report, const RunContext& run) {
-  const Patches patches = find_patches(soup.triangles);
+Result<bool> orient_triangles(Soup& soup, std::span<const EdgeSide> sides, MeshReport& report,
+                              const RunContext& run) {
+  const Patches patches = find_patches(sides);
   if (run.is_cancelled()) return RunContext::cancelled();
   report.triangles_flipped = agree_within_patches(soup, patches);
   if (report.triangles_flipped > 0) {
@@ -228,7 +228,7 @@ Result<void> orient_triangles(Soup& soup, MeshReport& report, const RunContext& 
         "parts of the surface are one-sided (like a Moebius strip) and have no inside."));
   }
   const std::vector<double> volumes = patch_volumes(soup, patches);
-  const std::vector<char> is_closed = find_closed_patches(soup, patches);
+  const std::vector<char> is_closed = find_closed_patches(sides, patches);
   std::vector<int> closed;
   for (int p = 0; p < patches.count(); ++p) {
     if (is_closed[p] != 0) closed.push_back(p);
@@ -257,7 +257,7 @@ Result<void> orient_triangles(Soup& soup, MeshReport& report, const RunContext& 
         counted(cavity_flips, "shell inside another was turned inward: it is taken as a cavity.",
                 "shells inside others were turned inward: they are taken as cavities."));
   }
-  return {};
+  return report.triangles_flipped + outer_flips + cavity_flips > 0;
 }
 
 }  // namespace hewn

@@ -52,8 +52,9 @@ Error nothing_left(const MeshReport& report) {
                       report.triangles_read)};
 }
 
-Result<void> clean(Soup& soup, const MeshLoadOptions& options, MeshReport& report,
-                   const RunContext& run) {
+/// Leaves the sides of the triangles that are left.
+Result<std::vector<EdgeSide>> clean(Soup& soup, const MeshLoadOptions& options, MeshReport& report,
+                                    const RunContext& run) {
   soup.diagonal = used_diagonal(soup);
   if (!(soup.diagonal > kSmallestDiagonal)) return nothing_left(report);
   const double tolerance = options.weld_tolerance * soup.diagonal;
@@ -61,7 +62,9 @@ Result<void> clean(Soup& soup, const MeshLoadOptions& options, MeshReport& repor
   if (run.is_cancelled()) return RunContext::cancelled();
   run.report("repairing", 0.3);
   report.zero_area_removed = remove_zero_area(soup, tolerance);
-  report.duplicates_removed = remove_duplicates(soup);
+  std::vector<EdgeSide> sides = sorted_sides(soup.triangles);
+  report.duplicates_removed = remove_duplicates(soup, sides);
+  if (report.duplicates_removed > 0) sides = sorted_sides(soup.triangles);
   if (soup.triangles.empty()) return nothing_left(report);
   if (report.zero_area_removed > 0) {
     report.warnings.push_back(
@@ -73,7 +76,7 @@ Result<void> clean(Soup& soup, const MeshLoadOptions& options, MeshReport& repor
         counted(report.duplicates_removed, "duplicate triangle was", "duplicate triangles were") +
         " removed.");
   }
-  return {};
+  return sides;
 }
 
 }  // namespace
@@ -98,17 +101,20 @@ Result<LoadedMesh> repair_mesh(std::vector<Vec3> vertices, std::vector<Triangle>
   Soup soup{std::move(vertices), std::move(triangles), 0};
   if (auto ok = check_input(soup); !ok) return ok.error();
   run.report("repairing", 0);
-  if (auto ok = clean(soup, options, report, run); !ok) return ok.error();
+  auto sides = clean(soup, options, report, run);
+  if (!sides) return sides.error();
   run.report("repairing", 0.5);
-  if (auto ok = orient_triangles(soup, report, run); !ok) return ok.error();
+  const auto is_changed = orient_triangles(soup, *sides, report, run);
+  if (!is_changed) return is_changed.error();
+  if (*is_changed) *sides = sorted_sides(soup.triangles);
   run.report("repairing", 0.7);
-  check_topology(soup, report);
+  check_topology(soup, *sides, report);
   if (run.is_cancelled()) return RunContext::cancelled();
   LoadedMesh loaded{make_mesh(std::move(soup.vertices), std::move(soup.triangles)),
                     std::move(report)};
-  loaded.report.noise = estimate_noise(loaded.mesh);
+  loaded.report.noise = estimate_noise(loaded.mesh, *sides);
   run.report("repairing", 0.8);
-  const auto crossings = count_self_intersections(loaded.mesh, kSelfIntersectionLimit, run);
+  const auto crossings = count_self_intersections(loaded.mesh, *sides, kSelfIntersectionLimit, run);
   if (!crossings) return crossings.error();
   loaded.report.self_intersections = *crossings;
   if (*crossings > 0) {

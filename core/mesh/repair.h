@@ -1,7 +1,9 @@
 #pragma once
 /// The repairs and checks that `repair_mesh` runs in turn. Internal to core/mesh.
+#include <span>
 #include <vector>
 
+#include "core/mesh/edge_use.h"
 #include "core/mesh/load.h"
 
 namespace hewn {
@@ -25,24 +27,28 @@ int weld_vertices(Soup& soup, double tolerance);
 /// Triangles lower than `tolerance` count as zero-area. Returns the number removed.
 int remove_zero_area(Soup& soup, double tolerance);
 
+/// All of these take the `sorted_sides` of the triangles that they are given.
+
 /// Removes copies of the same triangle; two that face each other (a sheet of no thickness inside
 /// the solid) both go. Of a part that is there twice as a whole, in the same or the opposite
 /// orientation, one copy stays. Returns the number removed.
-int remove_duplicates(Soup& soup);
+int remove_duplicates(Soup& soup, std::span<const EdgeSide> sides);
 
 /// Turns triangles to agree with their neighbours, closed components outward, and closed
 /// components that lie inside others (cavities) inward. Fills the report's counts and warnings.
-/// Fails with: Cancelled.
-Result<void> orient_triangles(Soup& soup, MeshReport& report, const RunContext& run);
+/// True when a triangle was turned: its sides are others now. Fails with: Cancelled.
+Result<bool> orient_triangles(Soup& soup, std::span<const EdgeSide> sides, MeshReport& report,
+                              const RunContext& run);
 
 /// Counts components, boundary edges, holes, non-manifold edges; writes the warnings.
-void check_topology(const Soup& soup, MeshReport& report);
+void check_topology(const Soup& soup, std::span<const EdgeSide> sides, MeshReport& report);
 
 /// Pairs of triangles that cross each other, up to `limit`; on big meshes a fixed sample of the
 /// edges is tried. Fails with: Cancelled.
-Result<int> count_self_intersections(const Mesh& mesh, int limit, const RunContext& run);
+Result<int> count_self_intersections(const Mesh& mesh, std::span<const EdgeSide> sides, int limit,
+                                     const RunContext& run);
 
 /// See MeshReport::noise.
-double estimate_noise(const Mesh& mesh);
+double estimate_noise(const Mesh& mesh, std::span<const EdgeSide> sides);
 
 }  // namespace hewn

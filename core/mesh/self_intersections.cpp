@@ -37,10 +37,10 @@ bool passes_through(const Mesh& mesh, int triangle, const Vec3& a, const Vec3& b
 
 }  // namespace
 
-Result<int> count_self_intersections(const Mesh& mesh, int limit, const RunContext& run) {
+Result<int> count_self_intersections(const Mesh& mesh, std::span<const EdgeSide> sides, int limit,
+                                     const RunContext& run) {
   const double margin = 2e-6 * mesh.diagonal();
   const MeshQuery query(std::shared_ptr<const Mesh>(std::shared_ptr<void>(), &mesh));
-  const std::vector<EdgeSide> sides = sorted_sides(mesh.triangles);
   const std::size_t stride = std::max<std::size_t>(1, sides.size() / 2 / kMaxEdges);
   std::set<std::pair<int, int>> pairs;
   bool is_cancelled = false;

@@ -153,14 +153,24 @@ Flatness flatness_of(const Soup& soup, const Triangle& s, const Triangle& t, dou
   return sum;
 }
 
+struct FlatTriangle {
+  int triangle = 0;
+  int corner = 0;  ///< opposite its longest side
+};
+
+std::vector<FlatTriangle> flat_triangles(const Soup& soup, double tolerance) {
+  std::vector<FlatTriangle> flat;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    const int k = flat_corner(soup, soup.triangles[t], tolerance);
+    if (k >= 0) flat.push_back({static_cast<int>(t), k});
+  }
+  return flat;
+}
+
 /// One round over all triangles; each may take part once. Returns how many splits were made, and
 /// adds the flat triangles that they did away with to `removed`.
 int split_round(Soup& soup, double tolerance, int& removed) {
-  std::vector<std::pair<int, int>> flat;
-  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-    const int k = flat_corner(soup, soup.triangles[t], tolerance);
-    if (k >= 0) flat.emplace_back(static_cast<int>(t), k);
-  }
+  const std::vector<FlatTriangle> flat = flat_triangles(soup, tolerance);
   if (flat.empty()) return 0;
   const std::vector<EdgeSide> sides = sorted_sides(soup.triangles);
   std::vector<char> is_touched(soup.triangles.size(), 0);
@@ -190,13 +200,12 @@ int split_round(Soup& soup, double tolerance, int& removed) {
 /// Removes flat triangles that have no single neighbour across their longest side: they close
 /// nothing that is not open anyway.
 int drop_loose_flat(Soup& soup, double tolerance) {
+  const std::vector<FlatTriangle> flat = flat_triangles(soup, tolerance);
+  if (flat.empty()) return 0;
   const std::vector<EdgeSide> sides = sorted_sides(soup.triangles);
   std::vector<int> loose;
-  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-    const int k = flat_corner(soup, soup.triangles[t], tolerance);
-    if (k >= 0 && partner_across(sides, soup.triangles, static_cast<int>(t), k) < 0) {
-      loose.push_back(static_cast<int>(t));
-    }
+  for (const auto& [t, k] : flat) {
+    if (partner_across(sides, soup.triangles, t, k) < 0) loose.push_back(t);
   }
   for (const int t : loose) soup.triangles[t] = kGone;
   std::erase(soup.triangles, kGone);

@@ -5,6 +5,7 @@
 #include "core/fit/gauss_newton.h"
 #include "core/segment/curved_growth.h"
 #include "core/segment/developable.h"
+#include "core/segment/facet_noise.h"
 #include "core/segment/leftovers.h"
 #include "core/segment/plane_rings.h"
 #include "core/segment/polish.h"
@@ -110,16 +111,16 @@ void polish_groups(const Mesh& mesh, Attempt& a) {
 }
 
 /// Segments with tolerances `looseness` times the exact ones.
-Result<Attempt> attempt(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors,
-                        double noise, double looseness, const SegmentOptions& options,
-                        const RunContext& run) {
+Result<Attempt> attempt(const FacetMerger& merger, double noise, double looseness,
+                        const SegmentOptions& options, const RunContext& run) {
+  const Mesh& mesh = merger.mesh();
   Attempt a;
   a.tolerance = surface_tolerance(mesh, noise, options);
   a.tolerance.eps =
       std::max(a.tolerance.eps, looseness * options.vertex_tolerance * mesh.diagonal());
   const double plane =
       std::max(std::min(2.0, looseness) * options.plane_tolerance * mesh.diagonal(), 4.5 * noise);
-  a.graph = build_facets(mesh, neighbors, {plane, noise}, run);
+  a.graph = build_facets(merger, {plane, noise}, run);
   a.tolerance.is_resampled = a.graph.interior_share > kResampledShare;
   if (run.is_cancelled()) return RunContext::cancelled();
   a.found.group_of.assign(a.graph.facets.size(), -1);
@@ -209,16 +210,17 @@ Result<Segmentation> segment_by_facets(const Mesh& mesh, const SegmentOptions& o
                                        const RunContext& run) {
   run.report("segment", 0);
   const auto neighbors = triangle_neighbors(mesh);
+  const FacetMerger merger(mesh, neighbors, run);
   const double noise =
-      options.noise > 0 ? options.noise * mesh.diagonal() : estimate_noise(mesh, neighbors, run);
+      options.noise > 0 ? options.noise * mesh.diagonal() : estimate_noise(merger, run);
   if (run.is_cancelled()) return RunContext::cancelled();
-  Result<Attempt> best = attempt(mesh, neighbors, noise, 1, options, run);
+  Result<Attempt> best = attempt(merger, noise, 1, options, run);
   if (!best) return best.error();
   // Some designs are inexact from the start: where surfaces fall to pieces, see whether a looser
   // reading holds them together. It would not do so for a free-form one.
   if (!best->is_free_form &&
       count_pieces(*best, options.smooth_angle_deg * kPi / 180) >= kManyPieces) {
-    Result<Attempt> loose = attempt(mesh, neighbors, noise, options.loose_factor, options, run);
+    Result<Attempt> loose = attempt(merger, noise, options.loose_factor, options, run);
     if (!loose) return loose.error();
     const auto worth = static_cast<double>(best->found.groups.size()) * kWorthwhile;
     if (static_cast<double>(loose->found.groups.size()) < worth) best = std::move(loose);

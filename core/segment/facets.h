@@ -7,18 +7,13 @@
 #include "core/base/run_context.h"
 #include "core/fit/face_groups.h"
 #include "core/mesh/mesh.h"
+#include "core/segment/facet_merger.h"
 
 namespace hewn {
 
 /// Across each side of each triangle lies one other triangle, or none (-1) on open and non-manifold
 /// edges. Side k joins corners k and k + 1. Cost: O(n log n).
 std::vector<std::array<int, 3>> triangle_neighbors(const Mesh& mesh);
-
-/// Lengths, in model units, that decide which triangles lie in one plane.
-struct FacetTolerance {
-  double plane = 0;  ///< largest distance of a vertex from the facet's plane
-  double noise = 0;  ///< standard deviation of a vertex about its true plane
-};
 
 /// A neighbouring facet across a common rim.
 struct FacetNeighbor {
@@ -50,8 +45,7 @@ struct FacetGraph {
   int size() const { return static_cast<int>(facets.size()); }
 
  private:
-  friend FacetGraph build_facets(const Mesh&, const std::vector<std::array<int, 3>>&,
-                                 const FacetTolerance&, const RunContext&);
+  friend FacetGraph build_facets(const FacetMerger&, const FacetTolerance&, const RunContext&);
   template <class T>
   static std::span<const T> slice(const std::vector<T>& all, const std::vector<int>& begin, int i) {
     return {all.data() + begin[i], static_cast<std::size_t>(begin[i + 1] - begin[i])};
@@ -64,19 +58,8 @@ struct FacetGraph {
   std::vector<FacetNeighbor> neighbors_;
 };
 
-/// Merges coplanar neighbours, largest triangles first. Cost: O(n log n). Incomplete when
-/// cancelled.
-FacetGraph build_facets(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors,
-                        const FacetTolerance& tolerance, const RunContext& run = {});
-
-/// Standard deviation of the coordinates' own rounding, model units: of single precision when every
-/// coordinate is one, of the decimal digits when all have at most seven; 0 when neither shows.
-double coordinate_rounding(const Mesh& mesh);
-
-/// Estimates the standard deviation of the vertices about the planes and surfaces they were sampled
-/// from, model units: the pooled residual of planes fitted to overdetermined facets. Never below
-/// the rounding of the coordinates. Meaningless when cancelled.
-double estimate_noise(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors,
-                      const RunContext& run = {});
+/// Merges coplanar neighbours. Cost: O(n log n). Incomplete when cancelled.
+FacetGraph build_facets(const FacetMerger& merger, const FacetTolerance& tolerance,
+                        const RunContext& run = {});
 
 }  // namespace hewn

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/segment/curvature/resolve_regions.h"
+#include "core/segment/facet_noise.h"
 #include "core/segment/facets.h"
 #include "core/segment/segment.h"
 
@@ -62,11 +63,12 @@ Result<Segmentation> segment_by_curvature(const Mesh& mesh, const SegmentOptions
   Result<Segmentation> result = segment_by_curvature(mesh, options.curvature, run);
   if (!result) return result;
   const auto neighbors = triangle_neighbors(mesh);
+  const FacetMerger merger(mesh, neighbors, run);
   const double diagonal = mesh.diagonal();
-  result->noise = options.noise > 0 ? options.noise * diagonal : estimate_noise(mesh, neighbors);
+  result->noise = options.noise > 0 ? options.noise * diagonal : estimate_noise(merger);
   const FacetTolerance tolerance{std::max(options.plane_tolerance * diagonal, 4.5 * result->noise),
                                  result->noise};
-  FacetGraph graph = build_facets(mesh, neighbors, tolerance);
+  FacetGraph graph = build_facets(merger, tolerance);
   if (run.is_cancelled()) return RunContext::cancelled();
   result->facets = std::move(graph.facets);
   result->facet_of_triangle = std::move(graph.facet_of_triangle);

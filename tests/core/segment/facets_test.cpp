@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/base/rng.h"
+#include "core/segment/facet_noise.h"
 #include "tests/support/solids.h"
 
 namespace hewn {
@@ -10,7 +11,13 @@ namespace {
 
 FacetGraph facets_of(const Mesh& mesh, double noise = 0) {
   const double d = mesh.diagonal();
-  return build_facets(mesh, triangle_neighbors(mesh), {std::max(1.5e-5 * d, 4.5 * noise), noise});
+  const auto neighbors = triangle_neighbors(mesh);
+  return build_facets(FacetMerger(mesh, neighbors), {std::max(1.5e-5 * d, 4.5 * noise), noise});
+}
+
+double noise_of(const Mesh& mesh) {
+  const auto neighbors = triangle_neighbors(mesh);
+  return estimate_noise(FacetMerger(mesh, neighbors));
 }
 
 /// Moves every coordinate by up to `amount`.
@@ -55,11 +62,11 @@ TEST_CASE("jitter neither tears facets apart nor hides from the noise estimate")
                                          solids::oblique_transform());
   const double amount = 2e-5 * clean.diagonal();
   const Mesh mesh = jittered(clean, amount, 7);
-  const double noise = estimate_noise(mesh, triangle_neighbors(mesh));
+  const double noise = noise_of(mesh);
   CHECK(noise > 0.3 * amount);
   CHECK(noise < 1.2 * amount);
   CHECK(facets_of(mesh, noise).size() == 6);
-  CHECK(estimate_noise(clean, triangle_neighbors(clean)) < 1e-7 * clean.diagonal());
+  CHECK(noise_of(clean) < 1e-7 * clean.diagonal());
 }
 
 TEST_CASE("the rounding of digits and of single precision is read from the coordinates") {
