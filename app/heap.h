@@ -29,10 +29,9 @@ inline void use_large_pages() {
                              static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
   void* const aside = memory / 2 > 2 * kSmall ? std::malloc(memory / 2) : nullptr;
   if (aside == nullptr) return;
-  const std::uintptr_t begin =
-      (reinterpret_cast<std::uintptr_t>(aside) + kSmall + kPage) / kPage * kPage;
-  static_cast<void>(::madvise(reinterpret_cast<void*>(begin), memory / 2 - kSmall - 2 * kPage,
-                              MADV_HUGEPAGE));
+  char* begin = static_cast<char*>(aside) + kSmall;
+  begin += kPage - reinterpret_cast<std::uintptr_t>(begin) % kPage;
+  static_cast<void>(::madvise(begin, memory / 2 - kSmall - 2 * kPage, MADV_HUGEPAGE));
   std::free(aside);
 #endif
 }

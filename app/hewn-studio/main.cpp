@@ -4,8 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/hewn-studio/window.h"
 #include "app/heap.h"
+#include "app/hewn-studio/window.h"
 
 int main(int argc, char** argv) {
   hewn::keep_freed_memory();

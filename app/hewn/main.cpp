@@ -14,8 +14,8 @@
 
 #include <fmt/format.h>
 
-#include "app/hewn/commands.h"
 #include "app/heap.h"
+#include "app/hewn/commands.h"
 #include "core/compute/compute.h"
 #include "gpu/cuda_device.h"
 

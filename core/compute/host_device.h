@@ -177,14 +177,12 @@ inline constexpr int kMovedWords = 2;
 template <int kWords, int kFromGap = kMovedWords>
 HEWN_HD void copy_words(Word* to, const Word* from) {
   static_assert(kWords % kMovedWords == 0);
-  for (int i = 0; i < kWords / kMovedWords; ++i) {
-    Word* const pair = to + i * kMovedWords;
-    const Word* const source = from + i * kFromGap;
+  for (int i = 0; i < kWords / kMovedWords; ++i, to += kMovedWords, from += kFromGap) {
 #if defined(__CUDA_ARCH__)
-    *reinterpret_cast<ulonglong2*>(pair) = *reinterpret_cast<const ulonglong2*>(source);
+    *reinterpret_cast<ulonglong2*>(to) = *reinterpret_cast<const ulonglong2*>(from);
 #else
-    pair[0] = source[0];
-    pair[1] = source[1];
+    to[0] = from[0];
+    to[1] = from[1];
 #endif
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 /// The repairs and checks that `repair_mesh` runs in turn. Internal to core/mesh.
+/// `sides` are always the `sorted_sides` of the triangles beside them.
 #include <span>
 #include <vector>
 
@@ -26,8 +27,6 @@ int weld_vertices(Soup& soup, double tolerance);
 /// replaced by splitting its neighbour across the longest side.
 /// Triangles lower than `tolerance` count as zero-area. Returns the number removed.
 int remove_zero_area(Soup& soup, double tolerance);
-
-/// All of these take the `sorted_sides` of the triangles that they are given.
 
 /// Removes copies of the same triangle; two that face each other (a sheet of no thickness inside
 /// the solid) both go. Of a part that is there twice as a whole, in the same or the opposite

@@ -10,7 +10,8 @@ namespace hewn {
 struct GrownGroup {
   Surface surface;
   std::vector<int> facets;
-  /// The surface follows from the facets' planes; fits to vertices would only spoil it.
+  /// The surface follows from the facets' planes or from an axis; fits to the group's own vertices
+  /// would only spoil it.
   bool is_settled = false;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/fit/gauss_newton.h"
+#include "core/segment/coaxial.h"
 #include "core/segment/curved_growth.h"
 #include "core/segment/developable.h"
 #include "core/segment/facet_noise.h"
@@ -146,6 +147,7 @@ Result<Attempt> attempt(const FacetMerger& merger, double noise, double loosenes
   if (run.is_cancelled()) return RunContext::cancelled();
   prefer_developable(mesh, a.graph, a.tolerance, a.found);
   gather_scattered(mesh, a.graph, a.tolerance, a.found);
+  adopt_axes(mesh, a.graph, a.tolerance, a.found);
   polish_groups(mesh, a);
   return a;
 }

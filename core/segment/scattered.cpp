@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/segment/same_axis.h"
+
 namespace hewn {
 namespace {
 
@@ -33,20 +35,12 @@ class Gathering {
   void run() {
     std::vector<Surface> axes;
     for (const GrownGroup& g : groups_) {
-      const bool has_axis =
-          g.surface.kind == SurfaceKind::Cylinder || g.surface.kind == SurfaceKind::Cone;
-      if (has_axis && !is_known(axes, g.surface)) axes.push_back(g.surface);
+      if (has_axis(g.surface) && !has_same_axis(axes, g.surface, near_)) axes.push_back(g.surface);
     }
     for (const Surface& axis : axes) gather_about(axis);
   }
 
  private:
-  bool is_known(const std::vector<Surface>& axes, const Surface& s) const {
-    return std::any_of(axes.begin(), axes.end(), [&](const Surface& a) {
-      return a.axis.cross(s.axis).norm() < kAlong && a.axis.cross(s.point - a.point).norm() < near_;
-    });
-  }
-
   void gather_about(const Surface& axis) {
     std::vector<Side> sides = sides_along(axis);
     for (std::size_t begin = 0; begin < sides.size();) {

@@ -565,5 +565,65 @@ TEST_CASE("scattered facets about a known axis are one cylinder") {
   CHECK(radii[1] == doctest::Approx(10));
 }
 
+/// A hexagonal head around z, 17.3 across its flats and 6.5 high; a cone of slope 1/2 chamfers its
+/// corners, in 60 facets that the flats cut.
+Mesh chamfered_head() {
+  constexpr double kTop = 6.5;
+  constexpr double kRim = 9.25;  // of the cone at the top
+  const double flat = 10 * std::cos(kPi / 6);
+  const double step = 2 * kPi / 60;
+  // Where the chord at the top meets a flat: both are that far from the middle of the flat.
+  const auto to_flat = [&](double angle) { return flat / std::cos(angle); };
+  const auto to_chord = [&](double angle) {
+    return kRim * std::cos(step / 2) / std::cos(angle - (std::floor(angle / step) + 0.5) * step);
+  };
+  double met = 0;
+  double beyond = kPi / 6;
+  for (int k = 0; k < 60; ++k) {
+    const double middle = (met + beyond) / 2;
+    (to_flat(middle) < to_chord(middle) ? met : beyond) = middle;
+  }
+  std::vector<double> within;  // angles from the middle of a flat
+  for (int k = -5; k < 5; ++k) within.push_back(k * step);
+  within.insert(within.end(), {-met, met});
+  std::sort(within.begin(), within.end());
+  std::vector<Vec3> vertices{Vec3(0, 0, 0), Vec3(0, 0, kTop)};
+  std::vector<std::array<int, 3>> columns;  // bottom, end of the flat, rim of the top
+  const auto add = [&](double radius, double angle, double z) {
+    vertices.push_back(Vec3(radius * std::cos(angle), radius * std::sin(angle), z));
+    return static_cast<int>(vertices.size()) - 1;
+  };
+  for (int side = 0; side < 6; ++side) {
+    for (const double a : within) {
+      const double angle = a + side * kPi / 3;
+      const double radius = to_flat(a);
+      const bool is_cut = std::abs(a) > met;
+      const int bottom = add(radius, angle, 0);
+      const int end = add(radius, angle, is_cut ? kTop - 2 * (radius - kRim) : kTop);
+      columns.push_back({bottom, end, is_cut ? add(kRim, angle, kTop) : end});
+    }
+  }
+  std::vector<Triangle> triangles;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const auto& [a, b, c] = columns[k];
+    const auto& [d, e, f] = columns[(k + 1) % columns.size()];
+    triangles.insert(triangles.end(), {{0, d, a}, {1, c, f}, {a, d, e}, {a, e, b}});
+    if (e != f) triangles.push_back({b, e, f});
+    if (b != c) triangles.push_back({b, f, c});
+  }
+  return make_mesh(vertices, triangles);
+}
+
+TEST_CASE("short pieces of a cone about a known axis are one cone") {
+  const Mesh shank = solids::cylinder(5, 30, 60);
+  const Segmentation s = segmented(solids::together(chamfered_head(), shank));
+  const std::vector<FaceGroup> cones = groups_of_kind(s, SurfaceKind::Cone);
+  REQUIRE(cones.size() == 1);
+  CHECK(cones[0].surface.half_angle_rad == doctest::Approx(std::atan(0.5)));
+  CHECK(std::abs(cones[0].surface.axis.z()) == doctest::Approx(1));
+  CHECK(cones[0].surface.point.z() == doctest::Approx(25));
+  CHECK(groups_of_kind(s, SurfaceKind::Cylinder).size() == 1);
+}
+
 }  // namespace
 }  // namespace hewn
