@@ -13,10 +13,10 @@
 
 namespace hewn {
 
-/// Has the heap take pages of two megabytes beyond its first eight: reading a mesh of a million
-/// triangles took a quarter less time, while a small job has no use for them. Half of the memory
-/// is set aside for it, which costs nothing until it is used. Without such pages, or where the
-/// process may only have so much, the heap works as before.
+/// For work on meshes: has the heap take pages of two megabytes beyond its first eight: reading a
+/// mesh of a million triangles took a quarter less time, while a small job has no use for them.
+/// Half of the memory is set aside for it, which costs nothing until it is used. Without such
+/// pages, or where the process may only have so much, the heap works as before.
 inline void use_large_pages() {
 #if defined(HEWN_TUNES_HEAP)
   constexpr std::size_t kPage = std::size_t{2} << 20;
@@ -44,7 +44,6 @@ inline void keep_freed_memory() {
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, kNever);
   mallopt(M_TOP_PAD, 64 << 20);
-  use_large_pages();
 #endif
 }
 

@@ -115,6 +115,7 @@ Result<void> run_part(const std::filesystem::path& path, const Setup& setup, Tot
 
 int main(int argc, char** argv) {
   hewn::keep_freed_memory();
+  hewn::use_large_pages();
   hewn::Setup setup;
   setup.run.threads = 1;
   std::vector<std::string> meshes;

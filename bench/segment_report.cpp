@@ -111,6 +111,7 @@ void report(const std::string& path, const SegmentOptions& options, int threads,
 
 int main(int argc, char** argv) {
   hewn::keep_freed_memory();
+  hewn::use_large_pages();
   // segment_report [-v] [--threads N] [--OPTION VALUE]... FILE...
   bool verbose = false;
   int threads = 0;

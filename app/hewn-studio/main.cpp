@@ -9,6 +9,7 @@
 
 int main(int argc, char** argv) {
   hewn::keep_freed_memory();
+  hewn::use_large_pages();
   CLI::App app{"Hewn Studio: cut, select and partition a mesh, and watch its CSG tree appear."};
   app.set_version_flag("--version", "hewn-studio " HEWN_VERSION);
   hewn::WindowOptions options;

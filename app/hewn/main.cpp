@@ -8,9 +8,8 @@
 #include <memory>
 #include <new>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <system_error>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -80,18 +79,38 @@ ExitCode carry_out(const Command& command, Environment& environment) {
   std::_Exit(static_cast<int>(code));
 }
 
-/// Building a command's flags takes time: only those of the one that is asked for.
-void add_commands(CLI::App& app, const std::string& asked, RunFlags& flags, Command& chosen) {
-  constexpr std::pair<const char*, void (*)(CLI::App&, RunFlags&, Command&)> kCommands[] = {
-      {"reconstruct", add_reconstruct}, {"segment", add_segment}, {"info", add_info},
-      {"compare", add_compare},         {"export", add_export},   {"replay", add_replay},
-      {"optimise", add_optimise},       {"inflate", add_inflate}, {"options", add_options},
-  };
-  const auto is_asked = [&](const auto& command) { return command.first == asked; };
-  const bool is_known = std::any_of(std::begin(kCommands), std::end(kCommands), is_asked);
-  for (const auto& command : kCommands) {
-    if (!is_known || is_asked(command)) command.second(app, flags, chosen);
+struct KnownCommand {
+  const char* name;
+  void (*add)(CLI::App&, RunFlags&, Command&);
+  bool reads_meshes = false;
+};
+constexpr KnownCommand kCommands[] = {
+    {"reconstruct", add_reconstruct, true},
+    {"segment", add_segment, true},
+    {"info", add_info, true},
+    {"compare", add_compare, true},
+    {"export", add_export},
+    {"replay", add_replay, true},
+    {"optimise", add_optimise},
+    {"inflate", add_inflate},
+    {"options", add_options},
+};
+
+/// Whether the first word is meant as a command and is none.
+bool is_no_command(std::string_view asked) {
+  return !asked.empty() && asked.front() != '-' &&
+         std::none_of(std::begin(kCommands), std::end(kCommands),
+                      [&](const KnownCommand& command) { return command.name == asked; });
+}
+
+/// Building a command's flags takes time: only those of the one that is asked for, or all.
+void add_commands(CLI::App& app, std::string_view asked, RunFlags& flags, Command& chosen) {
+  for (const KnownCommand& command : kCommands) {
+    if (command.name != asked) continue;
+    if (command.reads_meshes) use_large_pages();
+    return command.add(app, flags, chosen);
   }
+  for (const KnownCommand& command : kCommands) command.add(app, flags, chosen);
 }
 
 }  // namespace
@@ -107,12 +126,18 @@ int main(int argc, char** argv) {
       "5 output not writable, 130 stopped.");
   hewn::RunFlags flags;
   hewn::Command chosen;
-  hewn::add_commands(app, argc > 1 ? argv[1] : "", flags, chosen);
+  const std::string_view asked = argc > 1 ? argv[1] : "";
+  hewn::add_commands(app, asked, flags, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {
     const bool is_help = problem.get_exit_code() == 0;
-    app.exit(problem);
+    if (!is_help && hewn::is_no_command(asked)) {
+      fmt::print(stderr, "There is no command '{}'; run with --help for those that there are.\n",
+                 asked);
+    } else {
+      app.exit(problem);
+    }
     return static_cast<int>(is_help ? hewn::ExitCode::Done : hewn::ExitCode::Usage);
   }
   hewn::run_command(chosen, flags);

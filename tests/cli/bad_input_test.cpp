@@ -124,6 +124,9 @@ TEST_CASE("unknown flags and values are usage errors that name the allowed ones"
   const std::string input = folder.write("cube.off", cube_off());
   const std::string out = folder / "out.scad";
   CHECK(run_hewn({}).exit_code == kUsage);
+  const Outcome unknown = run_hewn({"optimize", input});
+  CHECK(unknown.exit_code == kUsage);
+  CHECK_MESSAGE(unknown.says("no command 'optimize'"), unknown.err);
   CHECK(run_hewn({"reconstruct", input}).exit_code == kUsage);
   CHECK(run_hewn({"reconstruct", input, "-o", out, "--nonsense"}).exit_code == kUsage);
   CHECK(run_hewn({"reconstruct", input, "-o", out, "--search", "magic"}).exit_code == kUsage);
