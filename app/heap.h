@@ -16,7 +16,8 @@ namespace hewn {
 /// For work on meshes: has the heap take pages of two megabytes beyond its first eight: reading a
 /// mesh of a million triangles took a quarter less time, while a small job has no use for them.
 /// Half of the memory is set aside for it, which costs nothing until it is used. Without such
-/// pages, or where the process may only have so much, the heap works as before.
+/// pages, or where the process may only have so much, the heap works as before. Call it after
+/// `keep_freed_memory`, which keeps what is set aside.
 inline void use_large_pages() {
 #if defined(HEWN_TUNES_HEAP)
   constexpr std::size_t kPage = std::size_t{2} << 20;

@@ -96,19 +96,18 @@ constexpr KnownCommand kCommands[] = {
     {"options", add_options},
 };
 
-/// Whether the first word is meant as a command and is none.
-bool is_no_command(std::string_view asked) {
-  return !asked.empty() && asked.front() != '-' &&
-         std::none_of(std::begin(kCommands), std::end(kCommands),
-                      [&](const KnownCommand& command) { return command.name == asked; });
+const KnownCommand* find_command(std::string_view name) {
+  const auto* const found =
+      std::find_if(std::begin(kCommands), std::end(kCommands),
+                   [&](const KnownCommand& command) { return command.name == name; });
+  return found != std::end(kCommands) ? found : nullptr;
 }
 
 /// Building a command's flags takes time: only those of the one that is asked for, or all.
-void add_commands(CLI::App& app, std::string_view asked, RunFlags& flags, Command& chosen) {
-  for (const KnownCommand& command : kCommands) {
-    if (command.name != asked) continue;
-    if (command.reads_meshes) use_large_pages();
-    return command.add(app, flags, chosen);
+void add_commands(CLI::App& app, const KnownCommand* asked, RunFlags& flags, Command& chosen) {
+  if (asked != nullptr) {
+    if (asked->reads_meshes) use_large_pages();
+    return asked->add(app, flags, chosen);
   }
   for (const KnownCommand& command : kCommands) command.add(app, flags, chosen);
 }
@@ -126,15 +125,16 @@ int main(int argc, char** argv) {
       "5 output not writable, 130 stopped.");
   hewn::RunFlags flags;
   hewn::Command chosen;
-  const std::string_view asked = argc > 1 ? argv[1] : "";
+  const std::string_view first = argc > 1 ? argv[1] : "";
+  const hewn::KnownCommand* const asked = hewn::find_command(first);
   hewn::add_commands(app, asked, flags, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {
     const bool is_help = problem.get_exit_code() == 0;
-    if (!is_help && hewn::is_no_command(asked)) {
+    if (!is_help && asked == nullptr && !first.empty() && first.front() != '-') {
       fmt::print(stderr, "There is no command '{}'; run with --help for those that there are.\n",
-                 asked);
+                 first);
     } else {
       app.exit(problem);
     }

@@ -4,6 +4,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/segment/same_axis.h"
+
 namespace hewn {
 namespace {
 
@@ -32,10 +34,6 @@ constexpr int kResampledPatchSizes[] = {12, 40, 120, 360};
 int min_facets(SurfaceKind kind) {
   if (kind == SurfaceKind::Sphere) return 6;
   return kind == SurfaceKind::Torus ? 8 : 4;
-}
-
-bool is_ruled(SurfaceKind kind) {
-  return kind == SurfaceKind::Cylinder || kind == SurfaceKind::Cone;
 }
 
 /// Simple kinds win when both explain the same facets.

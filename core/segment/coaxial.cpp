@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -48,43 +47,52 @@ Profile fitted_line(const std::vector<Vec2>& points) {
   return line;
 }
 
-std::vector<Vec2> points_near(const Profile& line, const std::vector<Vec2>& points, double eps) {
-  std::vector<Vec2> near;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(near),
-               [&](const Vec2& p) { return line.distance(p) < eps; });
-  return near;
+std::size_t count_near(const Profile& line, const std::vector<Vec2>& points, double eps) {
+  return static_cast<std::size_t>(std::count_if(
+      points.begin(), points.end(), [&](const Vec2& p) { return line.distance(p) < eps; }));
 }
 
 /// Through as many of the points as lie on one line. Cost: O(points) after some thousand pairs.
-Profile line_through(const std::vector<Vec2>& points, double eps) {
+Profile line_through(std::vector<Vec2> points, double eps) {
   const std::size_t step = points.size() / kMostTried + 1;
-  std::vector<Vec2> on_line;
+  Profile best;
+  std::size_t most = 0;
   for (std::size_t i = 0; i < points.size(); i += step) {
     for (std::size_t k = i + step; k < points.size(); k += step) {
       const Vec2 way = points[k] - points[i];
       if (way.norm() < kLeastLength * eps) continue;
-      std::vector<Vec2> near = points_near({points[i], way.normalized()}, points, eps);
-      if (near.size() > on_line.size()) on_line = std::move(near);
+      const Profile line{points[i], way.normalized()};
+      const std::size_t count = count_near(line, points, eps);
+      if (count <= most) continue;
+      most = count;
+      best = line;
     }
   }
-  return on_line.empty() ? Profile{} : fitted_line(on_line);
+  if (most == 0) return best;
+  std::erase_if(points, [&](const Vec2& p) { return !(best.distance(p) < eps); });
+  return fitted_line(points);
 }
 
 class Adoption {
  public:
   Adoption(const Mesh& mesh, const FacetGraph& graph, const SurfaceTolerance& tolerance,
            FacetGroups& found)
-      : mesh_(mesh), fitter_(mesh, graph, tolerance), eps_(tolerance.eps), groups_(found.groups) {}
+      : mesh_(mesh),
+        graph_(graph),
+        fitter_(mesh, graph, tolerance),
+        eps_(tolerance.eps),
+        groups_(found.groups) {}
 
   void run() {
     std::vector<Surface> axes;
-    std::vector<int> loose;
+    std::vector<Loose> loose;
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       const GrownGroup& group = groups_[g];
       if (group.surface.kind == SurfaceKind::Plane || group.is_settled) continue;
-      if (!fitter_.has_exact_corners(fitter_.evaluate(group.surface, group.facets))) {
-        loose.push_back(static_cast<int>(g));
-      } else if (has_axis(group.surface) && !has_same_axis(axes, group.surface, 2 * eps_)) {
+      const FitQuality quality = fitter_.evaluate(group.surface, group.facets);
+      if (!fitter_.has_exact_corners(quality)) {
+        loose.push_back({static_cast<int>(g), kAsSmooth * quality.max_angle_rad + kSmallAngle});
+      } else if (is_ruled(group.surface.kind) && !has_same_axis(axes, group.surface, 2 * eps_)) {
         axes.push_back(group.surface);
       }
     }
@@ -92,13 +100,21 @@ class Adoption {
   }
 
  private:
+  /// A group whose corners are not exact, and how far its facets may turn from another surface.
+  struct Loose {
+    int group = 0;
+    double most_turn_rad = 0;
+  };
+
   /// The loose groups that turn out to be exact about the axis are taken out of `loose`.
-  void adopt(const Surface& axis, std::vector<int>& loose) {
+  void adopt(const Surface& axis, std::vector<Loose>& loose) {
     std::vector<std::pair<int, Profile>> pieces;
-    std::erase_if(loose, [&](int g) {
+    std::erase_if(loose, [&](const Loose& l) {
+      const int g = l.group;
+      if (!may_turn_about(axis, l)) return false;
       const Profile profile = line_through(profile_of(axis, groups_[g].facets), eps_);
       const auto surface = surface_about(axis, profile);
-      if (!surface || !is_better(*surface, groups_[g])) return false;
+      if (!surface || !is_better(*surface, l)) return false;
       groups_[g].surface = *surface;
       groups_[g].is_settled = true;
       pieces.emplace_back(g, profile);
@@ -106,10 +122,23 @@ class Adoption {
     });
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       for (std::size_t k = i + 1; k < pieces.size(); ++k) {
-        if (is_same(axis, pieces[i].second, pieces[k])) unite(pieces[i].first, pieces[k].first);
+        if (!is_same(axis, pieces[i].second, pieces[k])) continue;
+        FacetGroups::unite(groups_[pieces[i].first], groups_[pieces[k].first]);
       }
       refit(axis, groups_[pieces[i].first]);
     }
+  }
+
+  /// Whether all facets face the axis as much as they would on any surface about it: a quick look
+  /// before corners are tried two by two.
+  bool may_turn_about(const Surface& axis, const Loose& loose) const {
+    const double most_aside = std::sin(std::min(loose.most_turn_rad, kPi / 2));
+    const std::vector<int>& facets = groups_[loose.group].facets;
+    return std::all_of(facets.begin(), facets.end(), [&](int f) {
+      const Facet& facet = graph_.facets[f];
+      const Vec3 aside = axis.axis.cross(facet.centroid - axis.point);
+      return std::abs(facet.normal.dot(aside)) <= most_aside * aside.norm();
+    });
   }
 
   std::vector<Vec2> profile_of(const Surface& axis, std::span<const int> facets) {
@@ -142,15 +171,15 @@ class Adoption {
 
   /// Whether most corners lie on the surface, as many as on the group's own, and the others no
   /// deeper than on the facets' chords.
-  bool is_better(const Surface& s, const GrownGroup& group) {
+  bool is_better(const Surface& s, const Loose& loose) {
+    const GrownGroup& group = groups_[loose.group];
     const std::vector<int> corners = fitter_.corner_indices(group.facets);
     const std::size_t exact = count_exact(s, corners);
     if (corners.size() < kLeastCorners || !is_most(exact, corners.size())) return false;
     if (exact < count_exact(group.surface, corners)) return false;
-    const FitQuality before = fitter_.evaluate(group.surface, group.facets);
     const FitQuality after = fitter_.evaluate(s, group.facets);
     return after.max_distance < kChordSlack * after.sagitta + eps_ &&
-           after.max_angle_rad < kAsSmooth * before.max_angle_rad + kSmallAngle;
+           after.max_angle_rad < loose.most_turn_rad;
   }
 
   std::size_t count_exact(const Surface& s, const std::vector<int>& corners) const {
@@ -163,24 +192,17 @@ class Adoption {
   /// Whether the other piece lies on the line, too.
   bool is_same(const Surface& axis, const Profile& line, const std::pair<int, Profile>& other) {
     const std::vector<Vec2> points = profile_of(axis, groups_[other.first].facets);
-    return !points.empty() && is_most(points_near(line, points, eps_).size(), points.size());
-  }
-
-  /// The second group comes out empty.
-  void unite(int whole, int piece) {
-    std::vector<int>& facets = groups_[whole].facets;
-    facets.insert(facets.end(), groups_[piece].facets.begin(), groups_[piece].facets.end());
-    groups_[piece].facets.clear();
+    return !points.empty() && is_most(count_near(line, points, eps_), points.size());
   }
 
   void refit(const Surface& axis, GrownGroup& whole) {
     if (whole.facets.empty()) return;
-    std::sort(whole.facets.begin(), whole.facets.end());
     const auto s = surface_about(axis, line_through(profile_of(axis, whole.facets), eps_));
     if (s) whole.surface = *s;
   }
 
   const Mesh& mesh_;
+  const FacetGraph& graph_;
   FacetFitter fitter_;
   double eps_;
   std::vector<GrownGroup>& groups_;

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/segment/same_axis.h"
+
 namespace hewn {
 namespace {
 
@@ -14,16 +16,12 @@ constexpr double kAsExact = 1.5;
 constexpr double kAsSmooth = 1.2;
 constexpr double kSmallAngle = 0.01;  // radians
 
-bool is_developable(SurfaceKind kind) {
-  return kind == SurfaceKind::Cylinder || kind == SurfaceKind::Cone;
-}
-
 /// The simplest developable surface that explains the facets as well as `quality`.
 std::optional<Surface> developable_fit(FacetFitter& fitter, std::span<const int> facets,
                                        const FitQuality& quality, double eps) {
   std::optional<Surface> best;
   for (Surface surface : fitter.guess(facets)) {
-    if (!is_developable(surface.kind)) continue;
+    if (!is_ruled(surface.kind)) continue;
     if (best && (best->kind == SurfaceKind::Cylinder || surface.kind == best->kind)) continue;
     if (!fitter.refine(surface, facets, {.max_iterations = 30})) continue;
     const FitQuality q = fitter.evaluate(surface, facets);

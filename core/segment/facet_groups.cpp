@@ -10,6 +10,12 @@ void FacetGroups::add(GrownGroup group) {
   groups.push_back(std::move(group));
 }
 
+void FacetGroups::unite(GrownGroup& whole, GrownGroup& piece) {
+  whole.facets.insert(whole.facets.end(), piece.facets.begin(), piece.facets.end());
+  std::sort(whole.facets.begin(), whole.facets.end());
+  piece.facets.clear();
+}
+
 void FacetGroups::drop_empty() {
   std::erase_if(groups, [](const GrownGroup& g) { return g.facets.empty(); });
   std::fill(group_of.begin(), group_of.end(), -1);

@@ -23,6 +23,9 @@ struct FacetGroups {
   /// Appends a group and gives it its facets.
   void add(GrownGroup group);
 
+  /// Gives all facets of a group to another and leaves it empty, for `drop_empty`.
+  static void unite(GrownGroup& whole, GrownGroup& piece);
+
   /// Drops groups without facets and renumbers the rest in their order.
   void drop_empty();
 };

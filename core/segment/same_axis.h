@@ -7,8 +7,9 @@
 
 namespace hewn {
 
-inline bool has_axis(const Surface& s) {
-  return s.kind == SurfaceKind::Cylinder || s.kind == SurfaceKind::Cone;
+/// Whether straight lines run along the surface in the plane of its axis.
+inline bool is_ruled(SurfaceKind kind) {
+  return kind == SurfaceKind::Cylinder || kind == SurfaceKind::Cone;
 }
 
 /// Whether the surface's axis is that of one of the others, whose points lie within `near` of it.

@@ -35,7 +35,8 @@ class Gathering {
   void run() {
     std::vector<Surface> axes;
     for (const GrownGroup& g : groups_) {
-      if (has_axis(g.surface) && !has_same_axis(axes, g.surface, near_)) axes.push_back(g.surface);
+      if (is_ruled(g.surface.kind) && !has_same_axis(axes, g.surface, near_))
+        axes.push_back(g.surface);
     }
     for (const Surface& axis : axes) gather_about(axis);
   }
@@ -111,12 +112,7 @@ class Gathering {
   /// The first group becomes the cylinder, the others come out empty.
   void unite(const Surface& cylinder, std::span<const Side> sides) {
     GrownGroup& whole = groups_[sides.front().group];
-    for (const Side& side : sides.subspan(1)) {
-      std::vector<int>& facets = groups_[side.group].facets;
-      whole.facets.insert(whole.facets.end(), facets.begin(), facets.end());
-      facets.clear();
-    }
-    std::sort(whole.facets.begin(), whole.facets.end());
+    for (const Side& side : sides.subspan(1)) FacetGroups::unite(whole, groups_[side.group]);
     whole.surface = cylinder;
     whole.is_settled = true;
   }
