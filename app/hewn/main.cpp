@@ -117,6 +117,7 @@ void add_commands(CLI::App& app, const KnownCommand* asked, RunFlags& flags, Com
 
 int main(int argc, char** argv) {
   hewn::keep_freed_memory();
+  hewn::fetch_first_pages();
   CLI::App app{"Turns triangle meshes of CAD parts back into small, exact, editable CSG trees."};
   app.set_version_flag("--version", "hewn " HEWN_VERSION);
   app.require_subcommand(1);

@@ -32,11 +32,7 @@ Result<DeviceChoice> DeviceChoice::parse(std::string_view text) {
 }
 
 Compute::Compute(int threads, DeviceChoice choice, OpenDevice open)
-    : cpu_(threads),
-      workers_(worker_count(threads)),
-      open_(std::move(open)),
-      usual_(choice),
-      choice_(choice) {}
+    : cpu_(threads), threads_(threads), open_(std::move(open)), usual_(choice), choice_(choice) {}
 
 void Compute::choose(DeviceChoice choice) {
   if (choice.kind == DeviceChoice::Kind::Auto) choice = usual_;
@@ -84,7 +80,8 @@ long Compute::accelerated_jobs() const {
 /// Requires: the lock.
 bool Compute::is_wanted(double cpu_seconds) {
   if (choice_.kind != DeviceChoice::Kind::Auto) return choice_.kind == DeviceChoice::Kind::Cuda;
-  const double seconds = cpu_seconds / workers_;
+  if (cpu_seconds < kLeastSeconds) return false;  // whatever the number of cores
+  const double seconds = cpu_seconds / worker_count(threads_);
   if (seconds < kLeastSeconds) return false;
   if (is_asked_for_) return true;
   missed_seconds_ += seconds;

@@ -74,7 +74,7 @@ class Compute {
   void fall_back(const Error& reason, const RunContext& context);
 
   CpuDevice cpu_;
-  const int workers_;  ///< of the processor
+  const int threads_;  ///< of the processor; 0: one per core
   OpenDevice open_;
   mutable std::mutex mutex_;  ///< guards the rest
   const DeviceChoice usual_;

@@ -25,7 +25,14 @@ void for_each_with_idle(int threads, std::size_t workers, std::size_t n,
   // Begun in vain, a loop costs as much as a body or two.
   const bool is_alone = workers <= 1 || n <= 1 || BusyThread::count() >= worker_count(threads);
   if (is_alone) return for_each_with_worker(1, 1, n, body);
-  const auto loop = [&] { for_each_with_worker(threads, workers, n, body); };
+  const std::size_t first = begin_alone(n, 1, [&body](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) body(0, i);
+  });
+  if (first == n) return;
+  const auto loop = [&] {
+    for_each_with_worker(threads, workers, n - first,
+                         [&](std::size_t worker, std::size_t i) { body(worker, first + i); });
+  };
   in_arena(threads, [&loop] { tbb::this_task_arena::isolate(loop); });
 }
 

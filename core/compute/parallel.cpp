@@ -7,6 +7,7 @@
 
 #include "core/compute/arena.h"
 #include "core/compute/busy_threads.h"
+#include "core/compute/first_loops.h"
 #include "core/compute/fork_join.h"
 
 namespace hewn {
@@ -18,7 +19,9 @@ void for_each_chunk(int threads, std::size_t n, std::size_t grain,
     for (std::size_t begin = 0; begin < n; begin += grain) body(begin, std::min(n, begin + grain));
     return;
   }
-  const tbb::blocked_range<std::size_t> range(0, n, grain);
+  const std::size_t first = begin_alone(n, grain, body);
+  if (first == n) return;
+  const tbb::blocked_range<std::size_t> range(first, n, grain);
   ForkJoin order;
   const auto visit = [&](const tbb::blocked_range<std::size_t>& part) {
     const BusyThread busy;

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <functional>
 
+#include "core/compute/first_loops.h"
+
 namespace hewn {
 
 /// Calls `body(begin, end)` on disjoint ranges that cover [0, n), each at most `grain` long,
@@ -29,12 +31,12 @@ int worker_count(int threads);
 /// memory of their own: no two calls with the same worker, 0 to `workers` - 1, run at a time.
 template <class Body>
 void for_each_with_worker(int threads, std::size_t workers, std::size_t n, const Body& body) {
-  if (workers <= 1 || n <= 1) {
-    for (std::size_t i = 0; i < n; ++i) body(std::size_t{0}, i);
-    return;
-  }
-  std::atomic<std::size_t> next{0};
-  for_each_index(threads, std::min(workers, n), [&](std::size_t worker) {
+  const auto alone = [&body](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) body(std::size_t{0}, i);
+  };
+  if (workers <= 1 || n <= 1) return alone(0, n);
+  std::atomic<std::size_t> next{begin_alone(n, 1, alone)};
+  for_each_index(threads, std::min(workers, n - next), [&](std::size_t worker) {
     for (std::size_t i = next++; i < n; i = next++) body(worker, i);
   });
 }

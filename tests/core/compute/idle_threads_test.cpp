@@ -7,11 +7,13 @@
 
 #include "core/compute/busy_threads.h"
 #include "core/compute/parallel.h"
+#include "tests/core/compute/begin_threads.h"
 
 namespace hewn {
 namespace {
 
 TEST_CASE("every index is visited once, by workers that do one thing at a time") {
+  begin_threads();
   for (const int threads : {0, 1, 2, 8}) {
     const std::size_t workers = idle_workers(threads);
     std::vector<std::atomic<int>> visits(100);
@@ -28,6 +30,7 @@ TEST_CASE("every index is visited once, by workers that do one thing at a time")
 }
 
 TEST_CASE("such loops lie in bodies of others, and others in theirs") {
+  begin_threads();
   std::vector<std::atomic<int>> visits(20);
   for_each_index(4, visits.size(), [&](std::size_t i) {
     for_each_with_idle(4, idle_workers(4), 30, [&](std::size_t, std::size_t) {
@@ -38,6 +41,7 @@ TEST_CASE("such loops lie in bodies of others, and others in theirs") {
 }
 
 TEST_CASE("nothing longer is begun while the loop's end is waited for") {
+  begin_threads();
   // A body of the outer loop that began within another one would find itself on the same thread.
   std::atomic<int> nested{0};
   thread_local bool is_inside = false;
@@ -53,6 +57,7 @@ TEST_CASE("nothing longer is begun while the loop's end is waited for") {
 }
 
 TEST_CASE("a thread in the bodies of several loops is one busy thread") {
+  begin_threads();
   CHECK(BusyThread::count() == 0);
   std::atomic<bool> is_counted{true};
   for_each_index(2, 40, [&](std::size_t) {

@@ -6,10 +6,13 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/core/compute/begin_threads.h"
+
 namespace hewn {
 namespace {
 
 TEST_CASE("every index is visited once, whatever the threads and the grain") {
+  begin_threads();
   for (const int threads : {0, 1, 2, 8}) {
     for (const std::size_t grain : {0, 1, 7, 1000}) {
       std::vector<int> visits(501, 0);
@@ -21,6 +24,7 @@ TEST_CASE("every index is visited once, whatever the threads and the grain") {
 }
 
 TEST_CASE("chunks are never longer than the grain") {
+  begin_threads();
   std::atomic<std::size_t> longest{0};
   for_each_chunk(4, 1000, 64, [&](std::size_t begin, std::size_t end) {
     std::size_t seen = longest;
@@ -32,6 +36,7 @@ TEST_CASE("chunks are never longer than the grain") {
 }
 
 TEST_CASE("an exception of a body reaches the caller") {
+  begin_threads();
   const auto throwing = [](std::size_t i) {
     if (i == 40) throw std::runtime_error("stop");
   };
@@ -46,6 +51,7 @@ TEST_CASE("nothing is called for an empty range") {
 }
 
 TEST_CASE("a worker does one thing at a time, and together they do all") {
+  begin_threads();
   for (const int threads : {1, 2, 8}) {
     const auto workers = static_cast<std::size_t>(worker_count(threads));
     std::vector<std::atomic<int>> busy(workers);
