@@ -14,6 +14,7 @@
 #include "core/base/rng.h"
 #include "core/compute/cpu_device.h"
 #include "core/compute/curvature_job.h"
+#include "core/compute/fit_batch.h"
 #include "core/compute/pair_counts.h"
 #include "core/compute/signatures.h"
 #include "core/compute/surface_scores.h"
@@ -257,6 +258,42 @@ Task inside_task(int n, std::size_t point_count) {
           {0, 0, 25 * static_cast<double>(point_count)}};
 }
 
+/// Points of a cylinder's flank about a random axis, and a guess near it.
+void add_cylinder_fit(std::size_t point_count, Rng& rng, FitBatch& batch) {
+  FitTarget target;
+  target.kind = SurfaceKind::Cylinder;
+  SurfaceForm guess = random_surfaces(3, rng)[static_cast<std::size_t>(target.kind)];
+  for (double& c : guess.point) c *= 0.1;
+  const RowFrame frame = row_frame(guess);
+  std::vector<PlainVec> points;
+  for (std::size_t i = 0; i < point_count; ++i) {
+    const double turn = rng.uniform(0, 2);
+    const double radius = guess.first + rng.uniform(-1e-3, 1e-3);
+    points.push_back(frame.point + frame.axis * rng.uniform(-0.5, 0.5) +
+                     frame.tilt.u * (radius * std::cos(turn)) +
+                     frame.tilt.w * (radius * std::sin(turn)));
+  }
+  guess.first *= 1.1;
+  guess.point[0] += 0.02;
+  batch.add(target, guess, {points});
+}
+
+Task fits_task(std::size_t fits, std::size_t points) {
+  Rng rng(8);
+  auto start = std::make_shared<FitBatch>();
+  for (std::size_t f = 0; f < fits; ++f) add_cylinder_fit(points, rng, *start);
+  // A row, the sums over its pairs, and the costs, in four rounds at least.
+  constexpr double kOperations = 4 * (30 + 45 + 6);
+  return {std::to_string(fits) + " cylinder fits, " + std::to_string(points) + " points",
+          static_cast<double>(fits),
+          "fits",
+          [=](Device& device) {
+            FitBatch batch = *start;
+            return batch.solve(device, {});
+          },
+          {0, kOperations * static_cast<double>(fits) * static_cast<double>(points), 0}};
+}
+
 double now_s(clockid_t clock) {
   timespec now{};
   clock_gettime(clock, &now);
@@ -376,6 +413,8 @@ int run(const std::string& filter) {
   print_row(machines, scores_task(has_gpu ? 50000 : 1000, 4096));
   print_row(machines, curvature_task(100));
   print_row(machines, curvature_task(708));
+  print_row(machines, fits_task(50, 300));
+  print_row(machines, fits_task(1000, 1000));
   print_row(machines, inside_task(100, 100000));
   print_row(machines, inside_task(708, 1000000));
   return 0;

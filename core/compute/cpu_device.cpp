@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
+#include <type_traits>
 
 #include "core/compute/kernels/kernels.h"
 #include "core/compute/parallel.h"
+#include "core/compute/vector_paths.h"
 
 namespace hewn {
 namespace {
@@ -15,35 +17,16 @@ constexpr std::size_t kAlignment = 64;
 constexpr std::int64_t kChunksPerThread = 16;
 constexpr std::int64_t kAssumedThreads = 16;
 
-/// The same body for every instruction set: kernels are inlined into it.
+/// Some of a kernel's items.
 template <class K>
-void run_portable(const K& kernel, std::int64_t begin, std::int64_t end) {
-  for (std::int64_t i = begin; i < end; ++i) kernel.template run<HostGrain>(i);
-}
+struct Items {
+  const K& kernel;
+  std::int64_t begin, end;
 
-#if defined(__x86_64__)
-template <class K>
-__attribute__((target("avx2,popcnt"))) void run_avx2(const K& kernel, std::int64_t begin,
-                                                     std::int64_t end) {
-  for (std::int64_t i = begin; i < end; ++i) kernel.template run<HostGrain>(i);
-}
-
-template <class K>
-__attribute__((target("avx512f,avx512dq,avx512vpopcntdq,popcnt"))) void run_avx512(
-    const K& kernel, std::int64_t begin, std::int64_t end) {
-  for (std::int64_t i = begin; i < end; ++i) kernel.template run<HostGrain>(i);
-}
-#endif
-
-template <class K>
-void run_items(BitPath path, const K& kernel, std::int64_t begin, std::int64_t end) {
-#if defined(__x86_64__)
-  if (path == BitPath::Avx2) return run_avx2(kernel, begin, end);
-  if (path == BitPath::Avx512) return run_avx512(kernel, begin, end);
-#endif
-  static_cast<void>(path);
-  run_portable(kernel, begin, end);
-}
+  HEWN_HD void operator()() const {
+    for (std::int64_t i = begin; i < end; ++i) kernel.template run<HostGrain>(i);
+  }
+};
 
 }  // namespace
 
@@ -79,8 +62,9 @@ Result<void> CpuDevice::launch(const Kernel& kernel) {
             std::max<std::int64_t>(1, items / (kAssumedThreads * kChunksPerThread));
         for_each_chunk(threads_, static_cast<std::size_t>(items), static_cast<std::size_t>(grain),
                        [this, &k](std::size_t begin, std::size_t end) {
-                         run_items(path_, k, static_cast<std::int64_t>(begin),
-                                   static_cast<std::int64_t>(end));
+                         call_on_path(path_, Items<std::decay_t<decltype(k)>>{
+                                                 k, static_cast<std::int64_t>(begin),
+                                                 static_cast<std::int64_t>(end)});
                        });
       },
       kernel.any());

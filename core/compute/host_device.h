@@ -21,6 +21,7 @@ struct HostGrain {
   static constexpr int kWords = 128;   ///< words that a tree is evaluated on at a time
   static constexpr int kBlock = 8;     ///< words in a row that vector units take; divides `kWords`
   static constexpr int kSamples = 64;  ///< samples of a surface that a tree is scored at
+  static constexpr int kFitLanes = 8;  ///< of the lanes that take turns at a fit's data
   static constexpr int kGroup = 1;     ///< items that work in step
 };
 struct DeviceGrain {
@@ -28,6 +29,7 @@ struct DeviceGrain {
   static constexpr int kWords = 2;
   static constexpr int kBlock = 2;
   static constexpr int kSamples = 4;
+  static constexpr int kFitLanes = 1;
   static constexpr int kGroup = 32;  ///< a warp
 };
 /// For kernels that spend more on each item than on its words, where there are words enough.

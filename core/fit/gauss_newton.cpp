@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/fit/surface_rows.h"
+#include "core/compute/compute.h"
+#include "core/compute/fit_batch.h"
 
 namespace hewn {
 namespace {
@@ -11,6 +12,9 @@ namespace {
 constexpr double kMinConeAngle = 0.02;
 constexpr double kMaxConeAngle = 0.985 * kPi / 2;
 constexpr double kMinTorusRatio = 0.05;
+
+PlainVec plain(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Vec3 vec(const double* v) { return {v[0], v[1], v[2]}; }
 
 /// Centres and scales the data, so that all parameters are of order one.
 struct Frame {
@@ -30,6 +34,8 @@ struct Frame {
     s.point = to_local(s.point);
     s.radius /= scale;
     s.major_radius /= scale;
+    // Of the points on its axis, the one that the data are around.
+    if (s.kind == SurfaceKind::Cylinder) s.point -= s.axis * s.axis.dot(s.point);
     return s;
   }
   Surface to_world(Surface s) const {
@@ -39,6 +45,102 @@ struct Frame {
     s.major_radius *= scale;
     return s;
   }
+};
+
+/// `guess` with the values of `form`.
+Surface with_values(Surface guess, const SurfaceForm& form) {
+  const SurfaceForm before = guess.form();
+  guess.point = vec(form.point);
+  guess.axis = vec(form.axis);
+  switch (guess.kind) {
+    case SurfaceKind::Plane:
+      guess.offset = form.first;
+      break;
+    case SurfaceKind::Sphere:
+    case SurfaceKind::Cylinder:
+      guess.radius = form.first;
+      break;
+    case SurfaceKind::Cone:
+      // Way and back, an angle loses a bit.
+      if (form.first != before.first || form.second != before.second) {
+        guess.half_angle_rad = std::atan2(form.second, form.first);
+      }
+      break;
+    case SurfaceKind::Torus:
+      guess.radius = form.first;
+      guess.major_radius = form.second;
+      break;
+  }
+  return guess;
+}
+
+/// Turns a cone that the fit has turned over; false for surfaces that have degenerated.
+bool make_sound(Surface& s) {
+  switch (s.kind) {
+    case SurfaceKind::Plane:
+      return true;
+    case SurfaceKind::Sphere:
+    case SurfaceKind::Cylinder:
+      return s.radius > 0;
+    case SurfaceKind::Cone:
+      if (s.half_angle_rad < 0) {
+        s.half_angle_rad = -s.half_angle_rad;
+        s.axis = -s.axis;
+      }
+      return s.half_angle_rad > kMinConeAngle && s.half_angle_rad < kMaxConeAngle;
+    case SurfaceKind::Torus:
+      return s.radius > 0 && s.major_radius >= s.radius * kMinTorusRatio;
+  }
+  return false;
+}
+
+bool is_determined(SurfaceKind kind, const FitData& data, const FitSettings& settings) {
+  const std::size_t equations =
+      data.points.size() + (settings.normal_weight > 0 ? 2 * data.normals.size() : 0);
+  return !data.points.empty() && equations >= static_cast<std::size_t>(parameters(kind));
+}
+
+/// A fit in its own frame.
+class LocalFit {
+ public:
+  LocalFit(const Surface& guess, const FitData& data, const FitSettings& settings)
+      : frame_(data.points), guess_(frame_.to_local(guess)) {
+    const bool has_normals = settings.normal_weight > 0;
+    points_.reserve(data.points.size() + (has_normals ? data.normals.size() : 0));
+    for (const Vec3& p : data.points) points_.push_back(plain(frame_.to_local(p)));
+    if (has_normals) {
+      for (const Vec3& p : data.normal_points) points_.push_back(plain(frame_.to_local(p)));
+      for (const Vec3& n : data.normals) normals_.push_back(plain(n));
+    }
+    target_.kind = guess.kind;
+    target_.max_iterations = settings.max_iterations;
+    target_.robust_scale = settings.robust_scale / frame_.scale;
+    // Absolute distances fall slowly.
+    target_.least_decrease = settings.robust_scale > 0 ? 1e-7 : settings.min_decrease;
+    target_.normal_weight2 = settings.normal_weight * settings.normal_weight;
+    target_.keeps_axis = settings.keep_axis;
+  }
+
+  bool is_possible() const { return frame_.scale > 0; }
+  const FitTarget& target() const { return target_; }
+  SurfaceForm guess() const { return guess_.form(); }
+  FitRows rows() const { return {points_, normals_}; }
+
+  /// Whether the fit, which came to `form`, is one; then `surface` is.
+  bool take(const SurfaceForm& form, Surface& surface) const {
+    Surface s = with_values(guess_, form);
+    if (!make_sound(s)) return false;
+    s = frame_.to_world(s);
+    if (!s.point.allFinite() || !s.axis.allFinite()) return false;
+    surface = s;
+    return true;
+  }
+
+ private:
+  Frame frame_;
+  Surface guess_;
+  FitTarget target_;
+  std::vector<PlainVec> points_, normals_;
 };
 
 /// Takes the tilt out of the normal equations.
@@ -54,186 +156,15 @@ void lock_tilt(Square& hessian) {
 }
 
 template <SurfaceKind K>
-class Refiner {
- public:
-  static constexpr int kSize = parameters(K);
-  using Row = Eigen::Matrix<double, kSize, 1>;
-  using Square = Eigen::Matrix<double, kSize, kSize>;
-
-  Refiner(const Frame& frame, const FitData& data, const FitSettings& settings)
-      : settings_(settings), given_(data.weights), normals_(data.normals) {
-    points_.reserve(data.points.size());
-    for (const Vec3& p : data.points) points_.push_back(frame.to_local(p));
-    if (settings.normal_weight <= 0) normals_ = {};
-    for (std::size_t i = 0; i < normals_.size(); ++i) {
-      normal_points_.push_back(frame.to_local(data.normal_points[i]));
-    }
-    robust_scale_ = settings.robust_scale / frame.scale;
-    weights_.assign(points_.size(), 1.0);
-    std::copy(given_.begin(), given_.end(), weights_.begin());
-  }
-
-  bool run(Surface& s) {
-    if (K == SurfaceKind::Cylinder) s.point -= s.axis * s.axis.dot(s.point);
-    double damping = 1e-6;
-    for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
-      update_weights(s);
-      assemble(s);
-      const double before = cost_;
-      if (before <= 1e-32) break;
-      if (!take_step(s, damping)) break;
-      const double decrease = (before - cost_) / before;
-      if (decrease < (robust_scale_ > 0 ? 1e-7 : settings_.min_decrease)) break;
-    }
-    return is_sound(s);
-  }
-
- private:
-  void update_weights(const Surface& s) {
-    if (robust_scale_ <= 0) return;
-    const SurfaceField field(s);
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      weights_[i] = given_.empty() ? 1.0 : given_[i];
-      weights_[i] *=
-          robust_scale_ / std::max(std::abs(field.signed_distance<K>(points_[i])), robust_scale_);
-    }
-  }
-
-  void assemble(const Surface& s) {
-    const RowFrame frame(s);
-    frame_ = frame.tilt;
-    hessian_.setZero();
-    slope_.setZero();
-    cost_ = 0;
-    Row row;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const double r = distance_row<K>(frame, points_[i], row);
-      add_square(row, weights_[i]);
-      slope_ += row * (weights_[i] * r);
-      cost_ += weights_[i] * r * r;
-    }
-    hessian_ = hessian_.template selfadjointView<Eigen::Lower>();
-    if (!normals_.empty()) assemble_normals(frame);
-    if (settings_.keep_axis && first_tilt(K) >= 0) {
-      lock_tilt<K>(hessian_);
-      slope_.template segment<2>(std::max(0, first_tilt(K))).setZero();
-    }
-  }
-
-  /// Adds weight row row^T to the lower half. In full sight of the compiler, unlike Eigen's own.
-  void add_square(const Row& row, double weight) {
-    for (int j = 0; j < kSize; ++j) {
-      const double factor = weight * row[j];
-      for (int i = j; i < kSize; ++i) hessian_(i, j) += factor * row[i];
-    }
-  }
-
-  void assemble_normals(const RowFrame& frame) {
-    const SurfaceField field(frame.surface);
-    Variation variations[kSize];
-    for (int j = 0; j < kSize; ++j) variations[j] = variation<K>(frame_, j);
-    const double w2 = settings_.normal_weight * settings_.normal_weight;
-    Eigen::Matrix<double, 3, kSize> block;
-    for (std::size_t i = 0; i < normals_.size(); ++i) {
-      const Vec3 g = field.gradient(normal_points_[i]);
-      const LocalPoint p = localise(frame.surface, normal_points_[i]);
-      for (int j = 0; j < kSize; ++j) {
-        block.col(j) = gradient_change<K>(frame, p, g, variations[j]);
-      }
-      const Vec3 r = g - (g.dot(normals_[i]) < 0 ? -1.0 : 1.0) * normals_[i];
-      hessian_ += w2 * block.transpose() * block;
-      slope_ += w2 * block.transpose() * r;
-      cost_ += w2 * r.squaredNorm();
-    }
-  }
-
-  double cost_of(const Surface& s) const {
-    double cost = 0;
-    const SurfaceField field(s);
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const double r = field.signed_distance<K>(points_[i]);
-      cost += weights_[i] * r * r;
-    }
-    const double w2 = settings_.normal_weight * settings_.normal_weight;
-    for (std::size_t i = 0; i < normals_.size(); ++i) {
-      const Vec3 g = field.gradient(normal_points_[i]);
-      cost += w2 * (g - (g.dot(normals_[i]) < 0 ? -1.0 : 1.0) * normals_[i]).squaredNorm();
-    }
-    return cost;
-  }
-
-  /// Tries the damped step, damping harder until the cost falls.
-  bool take_step(Surface& s, double& damping) {
-    for (int attempt = 0; attempt < 6; ++attempt) {
-      Square damped = hessian_;
-      damped.diagonal() *= 1 + damping;
-      damped.diagonal().array() += 1e-14 * hessian_.diagonal().maxCoeff();
-      const Row step = damped.ldlt().solve(-slope_);
-      if (!step.allFinite()) return false;
-      const Surface candidate = stepped<K>(s, frame_, step);
-      const double cost = cost_of(candidate);
-      if (cost < cost_) {
-        s = candidate;
-        cost_ = cost;
-        damping = std::max(1e-12, damping / 10);
-        return true;
-      }
-      damping = std::max(damping * 10, 1e-4);
-    }
-    return false;
-  }
-
-  static bool is_sound(Surface& s) {
-    if constexpr (K == SurfaceKind::Plane) return true;
-    if constexpr (K == SurfaceKind::Cone) {
-      if (s.half_angle_rad < 0) {
-        s.half_angle_rad = -s.half_angle_rad;
-        s.axis = -s.axis;
-      }
-      return s.half_angle_rad > kMinConeAngle && s.half_angle_rad < kMaxConeAngle;
-    }
-    if constexpr (K == SurfaceKind::Torus) {
-      if (s.major_radius < s.radius * kMinTorusRatio) return false;
-    }
-    return s.radius > 0;
-  }
-
-  FitSettings settings_;
-  std::span<const double> given_;
-  std::span<const Vec3> normals_;
-  std::vector<Vec3> points_, normal_points_;
-  std::vector<double> weights_;
-  double robust_scale_ = 0;
-  Tangents frame_;
-  Square hessian_;
-  Row slope_;
-  double cost_ = 0;
-};
-
-template <SurfaceKind K>
-bool refine(Surface& surface, const FitData& data, const FitSettings& settings) {
-  const Frame frame(data.points);
-  if (!(frame.scale > 0)) return false;
-  Surface s = frame.to_local(surface);
-  if (!Refiner<K>(frame, data, settings).run(s)) return false;
-  s = frame.to_world(s);
-  if (!s.point.allFinite() || !s.axis.allFinite()) return false;
-  surface = s;
-  return true;
-}
-
-template <SurfaceKind K>
 FitDeviation deviation(const Surface& surface, std::span<const Vec3> points, double sigma,
                        bool keep_axis) {
   constexpr int kSize = parameters(K);
   const Frame frame(points);
-  Surface s = frame.to_local(surface);
-  if (K == SurfaceKind::Cylinder) s.point -= s.axis * s.axis.dot(s.point);
-  const RowFrame f(s);
+  const RowFrame f = row_frame(frame.to_local(surface).form());
   Eigen::Matrix<double, kSize, kSize> hessian = Eigen::Matrix<double, kSize, kSize>::Zero();
   Eigen::Matrix<double, kSize, 1> row;
   for (const Vec3& p : points) {
-    distance_row<K>(f, frame.to_local(p), row);
+    distance_row<K>(f, plain(frame.to_local(p)), row.data());
     hessian += row * row.transpose();
   }
   if (keep_axis) lock_tilt<K>(hessian);
@@ -277,24 +208,31 @@ FitDeviation fit_deviation(const Surface& surface, std::span<const Vec3> points,
 }
 
 bool refine_surface(Surface& surface, const FitData& data, const FitSettings& settings) {
-  const std::size_t equations =
-      data.points.size() + (settings.normal_weight > 0 ? 2 * data.normals.size() : 0);
-  if (data.points.empty() || equations < static_cast<std::size_t>(parameter_count(surface.kind))) {
-    return false;
+  if (!is_determined(surface.kind, data, settings)) return false;
+  const LocalFit fit(surface, data, settings);
+  return fit.is_possible() && fit.take(fit_alone(fit.target(), fit.guess(), fit.rows()), surface);
+}
+
+Result<void> refine_surfaces(std::span<FitTask> tasks, const RunContext& run) {
+  FitBatch batch;
+  std::vector<LocalFit> fits;
+  std::vector<FitTask*> owners;
+  for (FitTask& task : tasks) {
+    task.is_fitted = false;
+    if (!is_determined(task.surface.kind, task.data, task.settings)) continue;
+    LocalFit fit(task.surface, task.data, task.settings);
+    if (!fit.is_possible()) continue;
+    batch.add(fit.target(), fit.guess(), fit.rows());
+    fits.push_back(std::move(fit));
+    owners.push_back(&task);
   }
-  switch (surface.kind) {
-    case SurfaceKind::Plane:
-      return refine<SurfaceKind::Plane>(surface, data, settings);
-    case SurfaceKind::Sphere:
-      return refine<SurfaceKind::Sphere>(surface, data, settings);
-    case SurfaceKind::Cylinder:
-      return refine<SurfaceKind::Cylinder>(surface, data, settings);
-    case SurfaceKind::Cone:
-      return refine<SurfaceKind::Cone>(surface, data, settings);
-    case SurfaceKind::Torus:
-      return refine<SurfaceKind::Torus>(surface, data, settings);
+  const auto solve = [&](Device& device) { return batch.solve(device, run); };
+  Result<void> done = compute_of(run)->run(batch.seconds(), run, solve);
+  if (!done) return done;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    owners[i]->is_fitted = fits[i].take(batch.surface(i), owners[i]->surface);
   }
-  return false;
+  return {};
 }
 
 double rms_distance(const Surface& surface, std::span<const Vec3> points) {

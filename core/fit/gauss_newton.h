@@ -2,6 +2,7 @@
 /// Gauss-Newton fits of signed distances with analytic Jacobians and Levenberg damping.
 #include <span>
 
+#include "core/base/run_context.h"
 #include "core/csg/surface.h"
 
 namespace hewn {
@@ -9,8 +10,6 @@ namespace hewn {
 /// What a surface is fitted to. Spans must outlive the call.
 struct FitData {
   std::span<const Vec3> points;
-  /// One per point; empty: all 1.
-  std::span<const double> weights = {};
   /// Unit normals with the places where they were measured; either sign.
   std::span<const Vec3> normals = {};
   std::span<const Vec3> normal_points = {};
@@ -33,8 +32,20 @@ struct FitSettings {
 /// Returns false, and leaves `surface` as it was, when the points do not determine the kind, or it
 /// degenerates: a radius below zero, a cone of less than 0.02 rad or almost a plane, a torus whose
 /// tube covers its axis almost wholly. Coordinates are centred and scaled inside, so far-off parts
-/// lose no digits. Cost: O(points x iterations), about 20 ns each.
+/// lose no digits. Cost: O(points x iterations), some 7 ns each.
 bool refine_surface(Surface& surface, const FitData& data, const FitSettings& settings = {});
+
+/// One of many fits.
+struct FitTask {
+  Surface surface;  ///< the guess; later, if `is_fitted`, what it has become
+  FitData data;
+  FitSettings settings = {};
+  bool is_fitted = false;  ///< out
+};
+
+/// Does what `refine_surface` does, to the bit, for many surfaces side by side: on the device where
+/// it pays, or on all cores. Fails with: Cancelled; then `tasks` are as they were.
+Result<void> refine_surfaces(std::span<FitTask> tasks, const RunContext& run);
 
 /// Standard deviations of a fitted surface's values; 0 for values that the kind lacks.
 struct FitDeviation {

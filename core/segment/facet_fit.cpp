@@ -91,7 +91,7 @@ bool FacetFitter::refine(Surface& surface, std::span<const int> facets,
   fit.max_iterations = settings.max_iterations;
   fit.normal_weight = settings.normal_weight;
   fit.robust_scale = settings.is_robust ? 0.1 * tolerance_.eps : 0;
-  return refine_surface(surface, {points, {}, normals, centers}, fit);
+  return refine_surface(surface, {points, normals, centers}, fit);
 }
 
 Surface FacetFitter::plane_of(int facet) const {

@@ -7,6 +7,7 @@
 #include "core/compute/kernels/boundary_kernel.h"
 #include "core/compute/kernels/cell_kernel.h"
 #include "core/compute/kernels/column_kernel.h"
+#include "core/compute/kernels/fit_kernels.h"
 #include "core/compute/kernels/flood_kernel.h"
 #include "core/compute/kernels/group_normal_kernel.h"
 #include "core/compute/kernels/pair_count_kernel.h"
@@ -19,7 +20,8 @@ namespace hewn {
 using AnyKernel =
     std::variant<ColumnKernel, TransposeKernel, CellKernel, TreeKernel, VertexClassKernel,
                  BoundaryKernel, GroupNormalKernel, TriangleTensorKernel, SectorTensorKernel,
-                 PrincipalKernel, FloodKernel, SurfaceScoreKernel, WindingKernel, PairCountKernel>;
+                 PrincipalKernel, FloodKernel, SurfaceScoreKernel, WindingKernel, PairCountKernel,
+                 FitSumKernel, FitStepKernel>;
 
 /// One of them. A type of its own, so that only those who launch kernels need read them all.
 struct Kernel : AnyKernel {

@@ -21,17 +21,22 @@ Result<std::vector<FittedRegion>> fit_flooded(const CurvatureStages& stages,
   for (int t = 0; t < static_cast<int>(stages.labels.size()); ++t) {
     if (stages.labels[t] >= 0) triangles_of_label[stages.labels[t]].push_back(t);
   }
-  const FitLimits limits = fit_limits(stages.mesh, options);
+  std::vector<FitRegion> flooded;
+  for (const auto& [label, triangles] : triangles_of_label) {
+    flooded.push_back({triangles, stages.classes[label]});
+  }
+  const auto surfaces = fit_primitives(stages.mesh, flooded, fit_limits(stages.mesh, options), run);
+  if (!surfaces) return surfaces.error();
   std::vector<FittedRegion> regions;
   std::vector<bool> is_unexplained(stages.labels.size(), false);
+  auto surface = surfaces->begin();
   for (auto& [label, triangles] : triangles_of_label) {
-    if (run.is_cancelled()) return RunContext::cancelled();
-    const auto surface = fit_primitive(stages.mesh, triangles, stages.classes[label], limits);
-    if (surface) {
-      regions.push_back({*surface, std::move(triangles)});
+    if (surface->has_value()) {
+      regions.push_back({**surface, std::move(triangles)});
     } else {
       for (const int t : triangles) is_unexplained[t] = true;
     }
+    ++surface;
   }
   auto grown = grow_fitted_regions(stages, is_unexplained, options, run);
   if (!grown) return grown.error();

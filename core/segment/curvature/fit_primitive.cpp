@@ -1,6 +1,7 @@
 #include "core/segment/curvature/fit_primitive.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
@@ -112,10 +113,72 @@ std::vector<SurfaceKind> kinds_for(CurvatureClass curvature, const Samples& samp
   return {SurfaceKind::Cylinder, SurfaceKind::Cone, SurfaceKind::Sphere};
 }
 
-/// A surface is determined only by more vertices than it has parameters.
-bool is_overdetermined(SurfaceKind kind, const Samples& samples) {
-  return static_cast<int>(samples.points.size()) > parameter_count(kind);
-}
+/// The primitive of one set of triangles, found kind by kind: whoever asks refines the guesses.
+class PrimitiveSearch {
+ public:
+  PrimitiveSearch(const Mesh& mesh, std::span<const int> triangles, CurvatureClass curvature,
+                  const FitLimits& limits)
+      : mesh_(&mesh), triangles_(triangles), limits_(limits) {
+    const Surface plane = mean_plane(mesh, triangles);
+    const bool wants_plane = curvature == CurvatureClass::Planar;
+    const bool is_plane = (wants_plane && keeps_limits(mesh, triangles, plane, limits)) ||
+                          is_flat(mesh, triangles, limits);
+    if (is_plane) best_ = plane;
+    if (is_plane || wants_plane) return;
+    samples_ = samples_of(mesh, triangles);
+    if (samples_.normals.size() < 2 || samples_.points.size() < 4) return;
+    all_guesses_ =
+        guess_surfaces({samples_.points, samples_.normals, samples_.centers}, limits.diagonal);
+    kinds_ = kinds_for(curvature, samples_);
+    kinds_.push_back(SurfaceKind::Torus);
+  }
+
+  /// Goes on to the next kind that is worth a try; false: there is none, and `result` stands.
+  bool begin_next_kind() {
+    guesses_.clear();
+    while (guesses_.empty() && next_ < kinds_.size()) {
+      const SurfaceKind kind = kinds_[next_++];
+      if (!is_wanted(kind)) continue;
+      std::copy_if(all_guesses_.begin(), all_guesses_.end(), std::back_inserter(guesses_),
+                   [kind](const Surface& guess) { return guess.kind == kind; });
+    }
+    return !guesses_.empty();
+  }
+  const std::vector<Surface>& guesses() const { return guesses_; }
+  std::span<const Vec3> points() const { return samples_.points; }
+
+  /// Offers a refined guess; true: it will do, and the others of its kind are not needed.
+  bool take(const Surface& refined) {
+    if (refined.radius > limits_.diagonal * kMaxRadius) return false;
+    if (!keeps_limits(*mesh_, triangles_, refined, limits_)) return false;
+    const bool is_rival = refined.kind == SurfaceKind::Torus;
+    if (!is_rival || rms_distance(refined, samples_.points) < kTorusGain * rms_of_best()) {
+      best_ = refined;
+    }
+    return true;
+  }
+  const std::optional<Surface>& result() const { return best_; }
+
+ private:
+  double rms_of_best() const { return best_ ? rms_distance(*best_, samples_.points) : kInfinity; }
+
+  /// A surface is determined only by more vertices than it has parameters. Once one fits, no other
+  /// is tried, but a torus beside one that is not exact.
+  bool is_wanted(SurfaceKind kind) const {
+    if (static_cast<int>(samples_.points.size()) <= parameter_count(kind)) return false;
+    if (kind != SurfaceKind::Torus) return !best_;
+    return rms_of_best() > kExactRms * limits_.diagonal;
+  }
+
+  const Mesh* mesh_;
+  std::span<const int> triangles_;
+  FitLimits limits_;
+  Samples samples_;
+  std::vector<Surface> all_guesses_, guesses_;
+  std::vector<SurfaceKind> kinds_;
+  std::size_t next_ = 0;  ///< of the kinds
+  std::optional<Surface> best_;
+};
 
 }  // namespace
 
@@ -143,34 +206,50 @@ Surface mean_plane(const Mesh& mesh, std::span<const int> triangles) {
 
 std::optional<Surface> fit_primitive(const Mesh& mesh, std::span<const int> triangles,
                                      CurvatureClass curvature, const FitLimits& limits) {
-  const Surface plane = mean_plane(mesh, triangles);
-  const bool wants_plane = curvature == CurvatureClass::Planar;
-  if (wants_plane && keeps_limits(mesh, triangles, plane, limits)) return plane;
-  if (is_flat(mesh, triangles, limits)) return plane;
-  const Samples samples = samples_of(mesh, triangles);
-  if (wants_plane || samples.normals.size() < 2 || samples.points.size() < 4) return std::nullopt;
-  const std::vector<Surface> guesses =
-      guess_surfaces({samples.points, samples.normals, samples.centers}, limits.diagonal);
-  const auto fit = [&](SurfaceKind kind) -> std::optional<Surface> {
-    if (!is_overdetermined(kind, samples)) return std::nullopt;
-    for (Surface surface : guesses) {
-      if (surface.kind != kind) continue;
-      if (!refine_surface(surface, {.points = samples.points})) continue;
-      if (surface.radius > limits.diagonal * kMaxRadius) continue;
-      if (keeps_limits(mesh, triangles, surface, limits)) return surface;
+  PrimitiveSearch search(mesh, triangles, curvature, limits);
+  while (search.begin_next_kind()) {
+    for (Surface guess : search.guesses()) {
+      if (refine_surface(guess, {.points = search.points()}) && search.take(guess)) break;
     }
-    return std::nullopt;
-  };
-  std::optional<Surface> best;
-  for (const SurfaceKind kind : kinds_for(curvature, samples)) {
-    best = fit(kind);
-    if (best) break;
   }
-  const double rms = best ? rms_distance(*best, samples.points) : kInfinity;
-  if (rms <= kExactRms * limits.diagonal) return best;
-  const std::optional<Surface> torus = fit(SurfaceKind::Torus);
-  const bool is_torus = torus && rms_distance(*torus, samples.points) < kTorusGain * rms;
-  return is_torus ? torus : best;
+  return search.result();
+}
+
+Result<std::vector<std::optional<Surface>>> fit_primitives(const Mesh& mesh,
+                                                           std::span<const FitRegion> regions,
+                                                           const FitLimits& limits,
+                                                           const RunContext& run) {
+  std::vector<PrimitiveSearch> searches;
+  searches.reserve(regions.size());
+  for (const FitRegion& region : regions) {
+    if (run.is_cancelled()) return RunContext::cancelled();
+    searches.emplace_back(mesh, region.triangles, region.curvature, limits);
+  }
+  std::vector<PrimitiveSearch*> open;
+  for (PrimitiveSearch& search : searches) open.push_back(&search);
+  for (;;) {
+    std::erase_if(open, [](PrimitiveSearch* search) { return !search->begin_next_kind(); });
+    if (open.empty()) break;
+    std::vector<FitTask> tasks;
+    for (const PrimitiveSearch* search : open) {
+      for (const Surface& guess : search->guesses()) {
+        tasks.push_back({guess, {.points = search->points()}});
+      }
+    }
+    Result<void> done = refine_surfaces(tasks, run);
+    if (!done) return done.error();
+    auto task = tasks.cbegin();
+    for (PrimitiveSearch* search : open) {
+      const auto end = task + static_cast<std::ptrdiff_t>(search->guesses().size());
+      std::find_if(task, end, [&](const FitTask& fitted) {
+        return fitted.is_fitted && search->take(fitted.surface);
+      });
+      task = end;
+    }
+  }
+  std::vector<std::optional<Surface>> results;
+  for (const PrimitiveSearch& search : searches) results.push_back(search.result());
+  return results;
 }
 
 double rms_of(const Mesh& mesh, std::span<const int> triangles, const Surface& surface) {

@@ -3,6 +3,7 @@
 /// Fitting").
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/csg/surface.h"
 #include "core/segment/curvature/stages.h"
@@ -28,6 +29,19 @@ FitLimits fit_limits(const Mesh& mesh, const CurvatureOptions& options);
 /// Cost: O(triangles log triangles); at most some hundred triangles take part in the fit itself.
 std::optional<Surface> fit_primitive(const Mesh& mesh, std::span<const int> triangles,
                                      CurvatureClass curvature, const FitLimits& limits);
+
+/// What one fit is for.
+struct FitRegion {
+  std::span<const int> triangles;
+  CurvatureClass curvature = CurvatureClass::Other;
+};
+
+/// The same, to the bit, for many regions, whose fits run side by side. One outcome for each.
+/// Fails with: Cancelled.
+Result<std::vector<std::optional<Surface>>> fit_primitives(const Mesh& mesh,
+                                                           std::span<const FitRegion> regions,
+                                                           const FitLimits& limits,
+                                                           const RunContext& run);
 
 /// Whether the triangles lie in one plane within what rounding explains.
 bool is_flat(const Mesh& mesh, std::span<const int> triangles, const FitLimits& limits);

@@ -53,6 +53,39 @@ TEST_CASE("a fit that strays further than allowed is refused") {
       fit_primitive(egg, middle, CurvatureClass::Spherical, fit_limits(egg, {})).has_value());
 }
 
+TEST_CASE("many regions are fitted as each of them is alone") {
+  const Mesh ring = solids::torus(3, 1, 48, 24);
+  const FitLimits limits = fit_limits(ring, {});
+  std::vector<std::vector<int>> triangles;
+  for (const double low : {-1.1, -0.9, -0.5, 0.0, 0.4}) {
+    triangles.push_back(triangles_between(ring, low, 1.1));
+  }
+  std::vector<FitRegion> regions;
+  for (const auto& of_region : triangles) {
+    for (const auto curvature : {CurvatureClass::Planar, CurvatureClass::Spherical,
+                                 CurvatureClass::Conic, CurvatureClass::Other}) {
+      regions.push_back({of_region, curvature});
+    }
+  }
+  const auto together = fit_primitives(ring, regions, limits, {});
+  REQUIRE(together.has_value());
+  REQUIRE(together->size() == regions.size());
+  int fitted = 0;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    CAPTURE(i);
+    const auto alone = fit_primitive(ring, regions[i].triangles, regions[i].curvature, limits);
+    REQUIRE((*together)[i].has_value() == alone.has_value());
+    if (!alone) continue;
+    ++fitted;
+    CHECK((*together)[i]->kind == alone->kind);
+    CHECK((*together)[i]->radius == alone->radius);
+    CHECK((*together)[i]->point == alone->point);
+    CHECK((*together)[i]->axis == alone->axis);
+  }
+  CHECK(fitted >= 5);
+  CHECK(fitted < static_cast<int>(regions.size()));
+}
+
 TEST_CASE("a triangle on a surface has no misfit, one off it grows with the distance") {
   const Mesh box = solids::box({0, 0, 0}, {1, 1, 1});
   Surface plane;
