@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::size_t kMaxPoints = 600;
 constexpr std::size_t kMaxNormals = 200;
+/// Of all vertices: to look at each takes no longer than to sort so many.
+constexpr std::size_t kScannedShare = 16;
 constexpr double kTinyArea = 1e-9;  // shares of the squared diagonal
 constexpr double kSolidArea = 1e-7;
 constexpr double kTinyNormalError = 0.15;  // radians
@@ -52,7 +54,14 @@ std::vector<int> FacetFitter::corner_indices(std::span<const int> facets) {
       stamp_of_vertex_[v] = stamp_;
     }
   }
-  std::sort(indices.begin(), indices.end());
+  if (indices.size() < stamp_of_vertex_.size() / kScannedShare) {
+    std::sort(indices.begin(), indices.end());
+    return indices;
+  }
+  indices.clear();
+  for (std::size_t v = 0; v < stamp_of_vertex_.size(); ++v) {
+    if (stamp_of_vertex_[v] == stamp_) indices.push_back(static_cast<int>(v));
+  }
   return indices;
 }
 
@@ -107,6 +116,7 @@ FitQuality FacetFitter::evaluate(const Surface& surface, std::span<const int> fa
   const SurfaceField field(surface);
   FitQuality q;
   std::size_t count = 0;
+  double across2 = 0, along2 = 1;  // of the normal that deviates most; its tangent, squared
   for (const int f : facets) {
     for (const int v : graph_.corners(f)) {
       const double d = std::abs(field.signed_distance(mesh_.vertices[v]));
@@ -116,9 +126,15 @@ FitQuality FacetFitter::evaluate(const Surface& surface, std::span<const int> fa
     }
     const Facet& facet = graph_.facets[f];
     q.sagitta = std::max(q.sagitta, std::abs(field.signed_distance(facet.centroid)));
-    q.max_angle_rad =
-        std::max(q.max_angle_rad, unsigned_angle(field.gradient(facet.centroid), facet.normal));
+    const Vec3 gradient = field.gradient(facet.centroid);
+    const double own_across2 = gradient.cross(facet.normal).squaredNorm();
+    const double cosine = gradient.dot(facet.normal);
+    if (own_across2 * along2 > across2 * cosine * cosine) {
+      across2 = own_across2;
+      along2 = cosine * cosine;
+    }
   }
+  q.max_angle_rad = std::atan2(std::sqrt(across2), std::sqrt(along2));
   q.rms_distance = std::sqrt(q.rms_distance / static_cast<double>(std::max<std::size_t>(1, count)));
   return q;
 }
