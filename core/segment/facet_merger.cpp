@@ -64,8 +64,11 @@ class FacetMerger::Growth {
       if (run.is_cancelled()) break;
       Facet facet = grow(seed);
       for (const int t : facet.triangles) facet_of_[t] = static_cast<int>(facets.size());
-      std::sort(facet.triangles.begin(), facet.triangles.end());
+      facet.triangles.clear();
       facets.push_back(std::move(facet));
+    }
+    for (int t = 0; t < static_cast<int>(facet_of_.size()); ++t) {
+      if (facet_of_[t] >= 0) facets[facet_of_[t]].triangles.push_back(t);
     }
     return {std::move(facets), std::move(facet_of_)};
   }
@@ -93,8 +96,11 @@ class FacetMerger::Growth {
     triangles.assign(1, seed);
     visited_[seed] = stamp_;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      for (const int u : all_.neighbors_[triangles[i]]) {
-        if (u < 0 || facet_of_[u] >= 0 || visited_[u] == stamp_ || !fits(u, plane)) continue;
+      const int t = triangles[i];
+      for (const int u : all_.neighbors_[t]) {
+        if (u < 0 || facet_of_[u] >= 0 || visited_[u] == stamp_ || !turns_with(u, plane)) continue;
+        // The seed belongs to its facet unseen; the corners of all others have been looked at.
+        if (!(i == 0 ? lies_on(u, plane) : is_near(opposite(u, t), plane))) continue;
         visited_[u] = stamp_;
         triangles.push_back(u);
       }
@@ -110,13 +116,21 @@ class FacetMerger::Growth {
     return std::cos(std::min(std::max(kFreeAngle, slack), 1.2));
   }
 
-  bool fits(int t, const Plane& plane) const {
-    if (mesh_.normals[t].dot(plane.normal) < least_cosine_[t]) return false;
-    for (int k = 0; k < 3; ++k) {
-      const double d = plane.normal.dot(mesh_.corner(t, k)) - plane.offset;
-      if (std::abs(d) > tolerance_.plane) return false;
-    }
-    return true;
+  bool turns_with(int t, const Plane& plane) const {
+    return mesh_.normals[t].dot(plane.normal) >= least_cosine_[t];
+  }
+  bool is_near(int vertex, const Plane& plane) const {
+    return std::abs(plane.normal.dot(mesh_.vertices[vertex]) - plane.offset) <= tolerance_.plane;
+  }
+  bool lies_on(int t, const Plane& plane) const {
+    const auto& [a, b, c] = mesh_.triangles[t];
+    return is_near(a, plane) && is_near(b, plane) && is_near(c, plane);
+  }
+  /// The vertex of triangle t that its neighbour does not have.
+  int opposite(int t, int neighbor) const {
+    const std::array<int, 3>& across = all_.neighbors_[t];
+    const int side = across[0] == neighbor ? 0 : across[1] == neighbor ? 1 : 2;
+    return mesh_.triangles[t][(side + 2) % 3];
   }
 
   void summarise(Facet& facet, int seed) const {

@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/compute/parallel.h"
+#include "core/segment/facet_vertices.h"
 
 namespace hewn {
 namespace {
@@ -72,16 +73,6 @@ double pooled_deviation(std::vector<Residual>& residuals) {
   return std::sqrt(variance);
 }
 
-/// All vertices of a facet, ascending; replaces `vertices`.
-void collect_vertices(const Mesh& mesh, const Facet& facet, std::vector<int>& vertices) {
-  vertices.clear();
-  for (const int t : facet.triangles) {
-    vertices.insert(vertices.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-}
-
 }  // namespace
 
 double coordinate_rounding(const Mesh& mesh) {
@@ -119,12 +110,11 @@ double estimate_noise(const FacetMerger& merger, const RunContext& run) {
   const double diagonal = mesh.diagonal();
   const std::vector<Facet> facets =
       merger.merge({kLoosePlane * diagonal, kLooseNoise * diagonal}, run).facets;
+  const FacetVertices vertices(mesh, facets);
   std::vector<Residual> residuals(facets.size());
   for_each_chunk(run.threads, residuals.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    std::vector<int> vertices;
     for (std::size_t f = begin; f < end && !run.is_cancelled(); ++f) {
-      collect_vertices(mesh, facets[f], vertices);
-      residuals[f] = plane_residual(mesh, vertices);
+      residuals[f] = plane_residual(mesh, vertices.of(f));
     }
   });
   std::erase_if(residuals, [](const Residual& r) { return r.freedom <= 0; });

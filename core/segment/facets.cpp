@@ -36,22 +36,6 @@ std::vector<std::array<int, 3>> triangle_neighbors(const Mesh& mesh) {
   return neighbors;
 }
 
-void FacetGraph::collect_vertices(const Mesh& mesh) {
-  std::vector<int> last(mesh.vertices.size(), -1);
-  vertex_begin_.assign(1, 0);
-  for (int f = 0; f < size(); ++f) {
-    const std::size_t begin = vertices_.size();
-    for (const int t : facets[f].triangles) {
-      for (const int v : mesh.triangles[t]) {
-        if (last[v] != f) vertices_.push_back(v);
-        last[v] = f;
-      }
-    }
-    std::sort(vertices_.begin() + static_cast<std::ptrdiff_t>(begin), vertices_.end());
-    vertex_begin_.push_back(static_cast<int>(vertices_.size()));
-  }
-}
-
 void FacetGraph::collect_corners(const Mesh& mesh,
                                  const std::vector<std::array<int, 3>>& neighbors) {
   const std::vector<unsigned char> count = count_facets(mesh, facet_of_triangle);
@@ -117,7 +101,7 @@ FacetGraph build_facets(const FacetMerger& merger, const FacetTolerance& toleran
   MergedFacets merged = merger.merge(tolerance, run);
   graph.facets = std::move(merged.facets);
   graph.facet_of_triangle = std::move(merged.facet_of_triangle);
-  graph.collect_vertices(mesh);
+  graph.vertices_ = FacetVertices(mesh, graph.facets);
   graph.collect_corners(mesh, neighbors);
   graph.collect_neighbors(mesh, neighbors);
   for (int f = 0; f < graph.size(); ++f) {

@@ -8,6 +8,7 @@
 #include "core/fit/face_groups.h"
 #include "core/mesh/mesh.h"
 #include "core/segment/facet_merger.h"
+#include "core/segment/facet_vertices.h"
 
 namespace hewn {
 
@@ -33,7 +34,9 @@ struct FacetGraph {
   /// vertices lie on a chord. All vertices for a facet with fewer than three corners.
   std::span<const int> corners(int facet) const { return slice(corners_, corner_begin_, facet); }
   /// All vertices of the facet, ascending.
-  std::span<const int> vertices(int facet) const { return slice(vertices_, vertex_begin_, facet); }
+  std::span<const int> vertices(int facet) const {
+    return vertices_.of(static_cast<std::size_t>(facet));
+  }
   /// Of how many facets the vertex is a corner.
   int corner_uses(int vertex) const { return corner_uses_[vertex]; }
   std::span<const FacetNeighbor> neighbors(int facet) const {
@@ -50,11 +53,11 @@ struct FacetGraph {
   static std::span<const T> slice(const std::vector<T>& all, const std::vector<int>& begin, int i) {
     return {all.data() + begin[i], static_cast<std::size_t>(begin[i + 1] - begin[i])};
   }
-  void collect_vertices(const Mesh& mesh);
   void collect_corners(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors);
   void collect_neighbors(const Mesh& mesh, const std::vector<std::array<int, 3>>& neighbors);
 
-  std::vector<int> vertices_, vertex_begin_, corners_, corner_begin_, corner_uses_, neighbor_begin_;
+  FacetVertices vertices_;
+  std::vector<int> corners_, corner_begin_, corner_uses_, neighbor_begin_;
   std::vector<FacetNeighbor> neighbors_;
 };
 
