@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/compute/parallel.h"
 #include "core/fit/gauss_newton.h"
 #include "core/segment/coaxial.h"
 #include "core/segment/curved_growth.h"
@@ -27,20 +28,45 @@ SurfaceTolerance surface_tolerance(const Mesh& mesh, double noise, const Segment
   return {diagonal, noise, std::max(options.vertex_tolerance * diagonal, 2 * noise)};
 }
 
+/// One run at one exactness.
+struct Attempt {
+  FacetGraph graph;
+  FacetGroups found;
+  SurfaceTolerance tolerance;
+  bool is_free_form = false;  ///< at least one smooth component
+};
+
+/// A curved group with its corners.
+struct CurvedGroup {
+  GrownGroup* group;
+  std::vector<Vec3> corners;
+};
+
+std::vector<CurvedGroup> curved_groups(const Mesh& mesh, Attempt& a) {
+  FacetFitter fitter(mesh, a.graph, a.tolerance);
+  std::vector<CurvedGroup> curved;
+  for (GrownGroup& group : a.found.groups) {
+    if (group.surface.kind == SurfaceKind::Plane) continue;
+    curved.push_back({&group, {}});
+    for (const int v : fitter.corner_indices(group.facets)) {
+      curved.back().corners.push_back(mesh.vertices[v]);
+    }
+  }
+  return curved;
+}
+
 /// Planes along the coordinate axes hide the rounding of a file's digits, curved surfaces show it:
-/// the median deviation of the groups whose corners agree almost exactly.
-double noise_on_curves(const Mesh& mesh, const std::vector<GrownGroup>& groups, FacetFitter& fitter,
-                       double limit) {
+/// the median deviation of the groups whose corners agree almost exactly. 0 when cancelled.
+double noise_on_curves(std::span<const CurvedGroup> curved, double limit, const RunContext& run) {
+  std::vector<FitTask> tasks;
+  for (const CurvedGroup& c : curved) {
+    tasks.push_back({c.group->surface, {.points = c.corners}});
+    tasks.back().settings.min_decrease = 1e-9;
+  }
+  if (!refine_surfaces(tasks, run)) return 0;
   std::vector<double> deviations;
-  for (const GrownGroup& g : groups) {
-    if (g.surface.kind == SurfaceKind::Plane) continue;
-    std::vector<Vec3> points;
-    for (const int v : fitter.corner_indices(g.facets)) points.push_back(mesh.vertices[v]);
-    Surface s = g.surface;
-    FitSettings settings;
-    settings.min_decrease = 1e-9;
-    if (!refine_surface(s, {points}, settings)) continue;
-    const double rms = rms_distance(s, points);
+  for (const FitTask& task : tasks) {
+    const double rms = task.is_fitted ? rms_distance(task.surface, task.data.points) : kInfinity;
     if (rms < limit) deviations.push_back(rms);
   }
   if (deviations.empty()) return 0;
@@ -91,24 +117,14 @@ Segmentation assemble(const Mesh& mesh, const FacetGraph& graph,
   return result;
 }
 
-/// One run at one exactness.
-struct Attempt {
-  FacetGraph graph;
-  FacetGroups found;
-  SurfaceTolerance tolerance;
-  bool is_free_form = false;  ///< at least one smooth component
-};
-
-void polish_groups(const Mesh& mesh, Attempt& a) {
-  FacetFitter fitter(mesh, a.graph, a.tolerance);
-  a.tolerance.noise = std::max(
-      a.tolerance.noise, noise_on_curves(mesh, a.found.groups, fitter, kRounded * mesh.diagonal()));
-  for (GrownGroup& group : a.found.groups) {
-    if (group.surface.kind == SurfaceKind::Plane || group.is_settled) continue;
-    std::vector<Vec3> points;
-    for (const int v : fitter.corner_indices(group.facets)) points.push_back(mesh.vertices[v]);
-    polish_on_envelope(group.surface, points, a.tolerance);
-  }
+void polish_groups(const Mesh& mesh, Attempt& a, const RunContext& run) {
+  const std::vector<CurvedGroup> curved = curved_groups(mesh, a);
+  a.tolerance.noise =
+      std::max(a.tolerance.noise, noise_on_curves(curved, kRounded * mesh.diagonal(), run));
+  for_each_index(run.threads, curved.size(), [&](std::size_t i) {
+    if (curved[i].group->is_settled || run.is_cancelled()) return;
+    polish_on_envelope(curved[i].group->surface, curved[i].corners, a.tolerance);
+  });
 }
 
 /// Segments with tolerances `looseness` times the exact ones.
@@ -148,7 +164,8 @@ Result<Attempt> attempt(const FacetMerger& merger, double noise, double loosenes
   prefer_developable(mesh, a.graph, a.tolerance, a.found);
   gather_scattered(mesh, a.graph, a.tolerance, a.found);
   adopt_axes(mesh, a.graph, a.tolerance, a.found);
-  polish_groups(mesh, a);
+  polish_groups(mesh, a, run);
+  if (run.is_cancelled()) return RunContext::cancelled();
   return a;
 }
 
