@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "core/segment/same_axis.h"
@@ -12,7 +13,8 @@ namespace {
 
 constexpr double kAlong = 1e-4;  ///< sine of the angle between a plane and the axis, at most
 constexpr std::size_t kLeastPlanes = 5;
-constexpr int kLeastCorners = 4;  ///< that lie on the cylinder, not cut off by teeth
+constexpr std::size_t kLeastTurns = 3;  ///< different ones
+constexpr int kLeastCorners = 4;        ///< that lie on the cylinder, not cut off by teeth
 constexpr double kLeastHalfStep = 0.3 * kPi / 180;
 constexpr double kMostHalfStep = 12 * kPi / 180;
 constexpr double kOffStep = 0.04;  ///< of azimuths from multiples of the step, in steps
@@ -99,14 +101,18 @@ class Gathering {
     return is_regular(sides, kPi / half_step, off_sides) ? std::optional(s) : std::nullopt;
   }
 
-  /// Whether the sides are some of `count`, about a whole number, around the axis.
+  /// Whether the sides are some of `count`, about a whole number, around the axis. Slivers of one
+  /// plane are alike, too, but do not turn.
   static bool is_regular(std::span<const Side> sides, double count, double off_sides) {
     if (std::abs(count - std::round(count)) > off_sides) return false;
     const double step = 2 * kPi / std::round(count);
-    return std::all_of(sides.begin(), sides.end(), [&](const Side& side) {
+    std::set<long> turns;
+    for (const Side& side : sides) {
       const double steps = (side.azimuth_rad - sides.front().azimuth_rad) / step;
-      return std::abs(steps - std::round(steps)) < kOffStep;
-    });
+      if (std::abs(steps - std::round(steps)) > kOffStep) return false;
+      turns.insert(std::lround(steps));
+    }
+    return turns.size() >= kLeastTurns;
   }
 
   /// The first group becomes the cylinder, the others come out empty.

@@ -614,6 +614,17 @@ Mesh chamfered_head() {
   return make_mesh(vertices, triangles);
 }
 
+TEST_CASE("slivers of one plane beside an axis are no cylinder about it") {
+  Mesh part = solids::plate_with_hole({40, 40, 5}, 5, 48);
+  for (int i = -3; i <= 3; ++i) {
+    const double y = 1.4 * i;
+    part = solids::together(part, solids::box({130, y - 0.15, 0}, {131, y + 0.15, 5}));
+  }
+  const std::vector<FaceGroup> cylinders = groups_of_kind(segmented(part), SurfaceKind::Cylinder);
+  REQUIRE(cylinders.size() == 1);
+  CHECK(cylinders[0].surface.radius == doctest::Approx(5));
+}
+
 TEST_CASE("short pieces of a cone about a known axis are one cone") {
   const Mesh shank = solids::cylinder(5, 30, 60);
   const Segmentation s = segmented(solids::together(chamfered_head(), shank));
