@@ -16,6 +16,10 @@ struct RoundValue {
 /// `tolerance`.
 double round_value(double value, double tolerance);
 
+/// The decimal with the fewest digits within `tolerance` of `value`, for a value that nothing tells
+/// more exactly: however coarse it is.
+double roundest_value(double value, double tolerance);
+
 /// `round_value`, and how round it is.
 RoundValue find_round_value(double value, double tolerance);
 

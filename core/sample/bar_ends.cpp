@@ -11,8 +11,21 @@ namespace hewn {
 namespace {
 
 constexpr std::size_t kMostEnds = 24;
-constexpr int kSteps = 8;        // per thickness, on the way beyond what can be seen
-constexpr int kMostSteps = 400;  // to the end of the part
+constexpr double kNearEnd = 0.01;  // of the thickness: a plane so near to the end is at it
+constexpr int kSteps = 8;          // per thickness, on the way beyond what can be seen
+constexpr int kMostSteps = 400;    // to the end of the part
+
+/// Whether a plane of the part across the bar lies at `end` or beyond it, in the sense of `sign`.
+bool has_end(const Bar& bar, double end, double sign, const SurfaceSet& surfaces) {
+  return std::any_of(surfaces.halfspaces.begin(), surfaces.halfspaces.end(),
+                     [&](const Halfspace& h) {
+                       if (h.surface.kind != SurfaceKind::Plane) return false;
+                       if (h.surface.axis.cross(bar.along).norm() > kSameBarDirection) return false;
+                       const double place = bar.along.dot(h.surface.axis) * h.surface.offset;
+                       const double beyond = sign * (place - end);
+                       return beyond > -kNearEnd * bar.thickness;
+                     });
+}
 
 /// How far the bar goes on unseen beyond `end`, in the sense of `sign`; 0 when that is to the end
 /// of the part, where it needs no end of its own.
@@ -40,12 +53,13 @@ int direction_index(const Vec3& along, std::vector<Vec3>& directions) {
 }
 
 /// Appends the bar's hidden ends to `ends`, and their direction to `directions` if it is new.
-void add_ends(const Bar& bar, const SampleSpace& space, std::vector<Vec3>& directions,
-              std::vector<Halfspace>& ends) {
+void add_ends(const Bar& bar, const SampleSpace& space, const SurfaceSet& surfaces,
+              std::vector<Vec3>& directions, std::vector<Halfspace>& ends) {
   for (const auto& [end, sign] : {std::pair{bar.lo, -1.0}, std::pair{bar.hi, 1.0}}) {
+    if (has_end(bar, end, sign, surfaces)) continue;
     const double room = std::min(bar.thickness, room_beyond(bar, end, sign, space));
-    if (room <= 0) continue;  // a face ends the bar there
-    const double place = round_value(end + sign * room / 2, room / 4);
+    if (room <= 0) continue;  // what is beyond ends the bar
+    const double place = roundest_value(end + sign * room / 2, room / 4);
     const int direction = direction_index(bar.along, directions);
     const Halfspace h = separating_plane(directions, direction, bar.along, place, space.diagonal);
     const bool is_new = std::none_of(ends.begin(), ends.end(), [&](const Halfspace& other) {
@@ -61,7 +75,9 @@ void add_ends(const Bar& bar, const SampleSpace& space, std::vector<Vec3>& direc
 std::vector<Halfspace> bar_ends(const SampleSpace& space, SurfaceSet& surfaces) {
   std::vector<Vec3> directions = surfaces.directions;
   std::vector<Halfspace> ends;
-  for (const Bar& bar : find_bars(space, surfaces)) add_ends(bar, space, directions, ends);
+  for (const Bar& bar : find_bars(space, surfaces)) {
+    add_ends(bar, space, surfaces, directions, ends);
+  }
   if (ends.size() > kMostEnds) return {};
   surfaces.directions = std::move(directions);
   return ends;

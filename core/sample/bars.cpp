@@ -132,7 +132,6 @@ class BarFinder {
     const Vec3 out = outward(e.side);
     Bar bar;
     bar.along = direction(e.side, e.across);
-    if (is_known(bar.along)) return;
     const bool is_turned = bar.along.dot(direction(f.side, f.across)) < 0;
     bar.lo = std::min(e.lo, is_turned ? -f.hi : f.lo);
     bar.hi = std::max(e.hi, is_turned ? -f.lo : f.hi);
@@ -153,7 +152,6 @@ class BarFinder {
     if (h < 0 || !space_.label->owns_group(g)) return;
     const Surface& s = surfaces_.halfspaces[static_cast<std::size_t>(h)].surface;
     if (s.kind != SurfaceKind::Cylinder && s.kind != SurfaceKind::Cone) return;
-    if (is_known(s.axis)) return;
     Bar bar;
     bar.along = s.axis;
     bar.lo = kInfinity;
@@ -194,14 +192,6 @@ class BarFinder {
       points.emplace_back(center + (1 - 2 * kInset) * radius_at(s, along) * outward);
     }
     return points;
-  }
-
-  bool is_known(const Vec3& along) const {
-    return std::any_of(surfaces_.halfspaces.begin(), surfaces_.halfspaces.end(),
-                       [&](const Halfspace& h) {
-                         return h.surface.kind == SurfaceKind::Plane &&
-                                h.surface.axis.cross(along).norm() < kSameBarDirection;
-                       });
   }
 
   const SampleSpace& space_;

@@ -20,9 +20,8 @@ struct Bar {
   std::vector<Vec3> low_rim, high_rim;
 };
 
-/// Those along directions that no plane of the part has: four sides around, with outer edges
-/// between them, or a cylinder or cone that goes all the way round. Cost: O(n log n) for n
-/// triangles.
+/// Four sides around, with outer edges between them, or a cylinder or cone that goes all the way
+/// round. Cost: O(n log n) for n triangles.
 std::vector<Bar> find_bars(const SampleSpace& space, const SurfaceSet& surfaces);
 
 }  // namespace hewn

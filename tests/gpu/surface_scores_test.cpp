@@ -102,7 +102,6 @@ TEST_CASE("samples that exceed the device's budget go through in parts") {
   constexpr std::size_t kPrimitives = 9;
   constexpr std::size_t kSamples = 1000;
   const Scored scores = random_scores(kPrimitives, kSamples, rng);
-  SurfaceScores table = table_of(scores);
   TreeBatch batch;
   std::vector<std::vector<Token>> trees(20);
   for (auto& tree : trees) {
@@ -113,6 +112,7 @@ TEST_CASE("samples that exceed the device's budget go through in parts") {
   // Less than a block of samples, some blocks, all.
   for (const std::size_t budget : {std::size_t{1}, std::size_t{50'000}, std::size_t{1} << 30}) {
     CpuDevice device(2, budget);
+    SurfaceScores table = table_of(scores);
     REQUIRE(table.measure(device, batch, totals, {}).has_value());
     for (std::size_t t = 0; t < trees.size(); ++t) {
       REQUIRE(totals[t] == scored_plainly(trees[t], scores));

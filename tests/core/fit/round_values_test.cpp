@@ -35,6 +35,15 @@ TEST_CASE("rounding never leaves the tolerance") {
   }
 }
 
+TEST_CASE("a free value takes the fewest digits that its room allows") {
+  CHECK(roundest_value(5.326, 0.75) == 5);
+  CHECK(roundest_value(-4.576, 1.125) == -5);
+  CHECK(roundest_value(14.2, 3) == doctest::Approx(14));
+  CHECK(roundest_value(14.2, 5) == 10);
+  CHECK(roundest_value(0.03, 1) == 0);
+  CHECK(roundest_value(0.5326, 0.075) == 0.5);
+}
+
 TEST_CASE("angles are round in degrees") {
   const double degree = kPi / 180;
   CHECK(round_angle(22.50001 * degree, 1e-4 * degree) == 22.5 * kPi / 180);

@@ -51,6 +51,18 @@ TEST_CASE("rods get a plane where they are hidden, holes where they open into a 
         }) == 1);
 }
 
+TEST_CASE("an arm gets a plane in the hub although a face across it ends it outside") {
+  auto loaded = load_mesh(HEWN_TEST_DATA "/rotor.off", {}, {});
+  REQUIRE(loaded);
+  solids::PartProblem part(std::move(loaded->mesh));
+  const std::size_t directions = part.surfaces.directions.size();
+  const std::vector<Halfspace> ends = bar_ends(part.space, part.surfaces);
+  CHECK(ends.size() == 5);
+  CHECK(part.surfaces.directions.size() == directions);
+  // Nothing tells the place but that it is within the hub.
+  for (const Halfspace& h : ends) CHECK(std::abs(h.surface.offset) == 5);
+}
+
 TEST_CASE("bars that end in the open get no planes") {
   for (const Mesh& mesh : {solids::box({0, 0, 0}, {9, 2, 1}), solids::cylinder(2, 9, 6),
                            solids::plate_with_hole({10, 8, 2}, 2, 24)}) {

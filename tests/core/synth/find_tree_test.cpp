@@ -32,7 +32,7 @@ TEST_CASE("simple solids come back as the one or two literals they are") {
 }
 
 TEST_CASE("bars that end unseen come back as the primitives they were made as") {
-  for (const char* name : {"/spoked_wheel.off", "/hub_with_rods.off"}) {
+  for (const char* name : {"/spoked_wheel.off", "/hub_with_rods.off", "/rotor.off"}) {
     CAPTURE(name);
     auto loaded = load_mesh(HEWN_TEST_DATA + std::string(name), {}, {});
     REQUIRE(loaded);
