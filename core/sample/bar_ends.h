@@ -12,9 +12,10 @@ namespace hewn {
 /// and for a hole that ends in a bore.
 ///
 /// Bars are those of `find_bars`. A plane lies at a round place where the bar goes on unseen for a
-/// while, but not to the end of the part. Not where a plane of the part across the bar lies there or
-/// further on: that one ends it as well. None when there are too many. New directions are appended
-/// to `surfaces.directions`. Cost: that of `find_bars`, and some hundred labels for each bar.
+/// while, but not to the end of the part. Not where a plane of the part across the bar lies there
+/// or further on: that one ends it as well. None when there are too many. New directions are
+/// appended to `surfaces.directions`. Cost: that of `find_bars`, and some hundred labels for each
+/// bar.
 std::vector<Halfspace> bar_ends(const SampleSpace& space, SurfaceSet& surfaces);
 
 }  // namespace hewn

@@ -10,11 +10,11 @@
 namespace hewn {
 namespace {
 
-constexpr double kSquare = 1e-6;    // as for the sides of a box
-constexpr double kLeastLength = 1;  // of a bar, against its wider sides
-constexpr double kInset = 0.02;     // of the thickness: from the sides
-constexpr int kAround = 6;          // points around an axis
-constexpr double kOpenSide = 0.35;  // mean of unit vectors to the sides: larger for an arc
+constexpr double kMostOblique = 0.87;  // cosine of the angle between two sides
+constexpr double kLeastLength = 1;     // of a bar, against its wider sides
+constexpr double kInset = 0.02;        // of the thickness: from the sides
+constexpr int kAround = 6;             // points around an axis
+constexpr double kOpenSide = 0.35;     // mean of unit vectors to the sides: larger for an arc
 
 /// The common edge of two sides of a bar.
 struct BarEdge {
@@ -66,7 +66,7 @@ class BarFinder {
     return axis.dot(facing) < 0 ? Vec3(-axis) : axis;
   }
 
-  /// Edges between planes at right angles, seen from either of them.
+  /// Outer edges between planes, seen from either of them.
   void collect_edges() {
     const Mesh& mesh = space_.mesh();
     const std::vector<EdgeSide> sides = sorted_sides(mesh.triangles);
@@ -103,9 +103,9 @@ class BarFinder {
     return d[largest] < 0 ? Vec3(-d) : d;
   }
 
-  /// Whether the planes stand at a right angle and the solid lies within both.
+  /// Whether the planes meet at an angle that is not too sharp and the solid lies within both.
   bool is_outer_edge(int triangle_a, int a, int triangle_b, int b) const {
-    if (std::abs(outward(a).dot(outward(b))) > kSquare) return false;
+    if (std::abs(outward(a).dot(outward(b))) > kMostOblique) return false;
     const Mesh& mesh = space_.mesh();
     const Vec3 way = mesh.centroid(triangle_b) - mesh.centroid(triangle_a);
     return outward(a).dot(way) < 0 && outward(b).dot(way) > 0;

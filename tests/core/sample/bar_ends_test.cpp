@@ -63,6 +63,16 @@ TEST_CASE("an arm gets a plane in the hub although a face across it ends it outs
   for (const Halfspace& h : ends) CHECK(std::abs(h.surface.offset) == 5);
 }
 
+TEST_CASE("the sides of a blade need not meet at right angles") {
+  auto loaded = load_mesh(HEWN_TEST_DATA "/fan.off", {}, {});
+  REQUIRE(loaded);
+  solids::PartProblem part(std::move(loaded->mesh));
+  const std::vector<Halfspace> ends = bar_ends(part.space, part.surfaces);
+  CHECK(std::count_if(ends.begin(), ends.end(), [](const Halfspace& h) {
+          return std::abs(h.surface.offset) == 10 && std::abs(h.surface.axis.z()) < 1e-9;
+        }) == 5);
+}
+
 TEST_CASE("bars that end in the open get no planes") {
   for (const Mesh& mesh : {solids::box({0, 0, 0}, {9, 2, 1}), solids::cylinder(2, 9, 6),
                            solids::plate_with_hole({10, 8, 2}, 2, 24)}) {
