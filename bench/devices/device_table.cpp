@@ -405,8 +405,8 @@ int run(const std::string& filter) {
   print_row(machines, cells_task(40000, 1));
   print_row(machines, cells_task(1000000, 2));
   print_row(machines, trees_task(150, 4096));
-  print_row(machines, trees_task(has_gpu ? 1000000 : 20000, 4096));
-  print_row(machines, trees_task(has_gpu ? 200000 : 2000, 65536));
+  print_row(machines, trees_task(has_gpu ? 1000000 : 100000, 4096));
+  print_row(machines, trees_task(has_gpu ? 200000 : 10000, 65536));
   print_row(machines, pairs_task(120, 6000));
   print_row(machines, pairs_task(1000, 50000));
   print_row(machines, scores_task(150, 2000));

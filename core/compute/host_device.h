@@ -166,6 +166,8 @@ HEWN_HD int exchange_if(int* target, int expected, int value) {
 #if defined(__CUDA_ARCH__)
   return atomicCAS(target, expected, value);
 #else
+  // Most find another value, and to read it leaves the place in other cores' caches.
+  if (const int known = __atomic_load_n(target, __ATOMIC_RELAXED); known != expected) return known;
   __atomic_compare_exchange_n(target, &expected, value, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
   return expected;
 #endif

@@ -89,8 +89,10 @@ struct TreeKernel {
       const std::int64_t begin = group * kGroupWords<Grain> + item % Grain::kGroup * kMovedWords;
       if (begin < words) run_in_registers<Grain>(trees[index], begin, counts[index]);
     } else {
-      const std::int64_t begin = group * Grain::kWords;
-      run_in_arrays<Grain>(trees[index], begin, counts[index]);
+      // Other words begin with another tree, so that threads do not meet at the same counts.
+      const std::int64_t groups = (words + kGroupWords<Grain> - 1) / kGroupWords<Grain>;
+      const std::int64_t tree = (index + group * tree_count / groups) % tree_count;
+      run_in_arrays<Grain>(trees[tree], group * Grain::kWords, counts[tree]);
     }
   }
 
