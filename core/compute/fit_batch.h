@@ -39,9 +39,6 @@ class FitBatch {
   /// The best surface that was found, after `solve`.
   const SurfaceForm& surface(std::size_t fit) const { return states_[fit].best; }
 
-  /// Estimate for `Compute::run`: measured on one core (docs/performance.md).
-  double seconds() const { return 5e-8 * static_cast<double>(points_.size()); }
-
  private:
   struct Fit {
     std::size_t first_point, points;  ///< with those of the normals
