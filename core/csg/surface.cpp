@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/compute/kernels/fit_rows.h"
+
 namespace hewn {
 namespace {
 
@@ -74,20 +76,6 @@ const char* name_of(SurfaceKind kind) {
   return "surface";
 }
 
-int parameter_count(SurfaceKind kind) {
-  switch (kind) {
-    case SurfaceKind::Plane:
-      return 3;
-    case SurfaceKind::Sphere:
-      return 4;
-    case SurfaceKind::Cylinder:
-      return 5;
-    case SurfaceKind::Cone:
-      return 6;
-    case SurfaceKind::Torus:
-      return 7;
-  }
-  return 0;
-}
+int parameter_count(SurfaceKind kind) { return parameters(kind); }
 
 }  // namespace hewn

@@ -4,6 +4,7 @@
 
 #include "core/fit/gauss_newton.h"
 #include "core/fit/initial_guess.h"
+#include "core/segment/facet_vertices.h"
 #include "core/segment/tangent_planes.h"
 
 namespace hewn {
@@ -11,8 +12,6 @@ namespace {
 
 constexpr std::size_t kMaxPoints = 600;
 constexpr std::size_t kMaxNormals = 200;
-/// Of all vertices: to look at each takes no longer than to sort so many.
-constexpr std::size_t kScannedShare = 16;
 constexpr double kTinyArea = 1e-9;  // shares of the squared diagonal
 constexpr double kSolidArea = 1e-7;
 constexpr double kTinyNormalError = 0.15;  // radians
@@ -54,14 +53,7 @@ std::vector<int> FacetFitter::corner_indices(std::span<const int> facets) {
       stamp_of_vertex_[v] = stamp_;
     }
   }
-  if (indices.size() < stamp_of_vertex_.size() / kScannedShare) {
-    std::sort(indices.begin(), indices.end());
-    return indices;
-  }
-  indices.clear();
-  for (std::size_t v = 0; v < stamp_of_vertex_.size(); ++v) {
-    if (stamp_of_vertex_[v] == stamp_) indices.push_back(static_cast<int>(v));
-  }
+  sort_marked(indices, 0, stamp_of_vertex_, stamp_);
   return indices;
 }
 

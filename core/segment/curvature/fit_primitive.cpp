@@ -241,9 +241,7 @@ Result<std::vector<std::optional<Surface>>> fit_primitives(const Mesh& mesh,
     auto task = tasks.cbegin();
     for (PrimitiveSearch* search : open) {
       const auto end = task + static_cast<std::ptrdiff_t>(search->guesses().size());
-      std::find_if(task, end, [&](const FitTask& fitted) {
-        return fitted.is_fitted && search->take(fitted.surface);
-      });
+      while (task != end && !(task->is_fitted && search->take(task->surface))) ++task;
       task = end;
     }
   }
