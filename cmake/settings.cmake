@@ -47,6 +47,18 @@ function(hewn_layer name)
   target_link_libraries(hewn_${name} PUBLIC hewn_settings ${ARG_LINKS} PRIVATE ${ARG_SYSTEM_LINKS})
 endfunction()
 
+# hewn_module(NAME SOURCES ... LINKS ...): libhewn-NAME.so beside the programs, for what is loaded when
+# it is first needed (core/base/module.h). It uses nothing of the layers but their headers.
+function(hewn_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  add_library(hewn_${name} MODULE ${ARG_SOURCES})
+  set_target_properties(hewn_${name} PROPERTIES
+    OUTPUT_NAME hewn-${name} CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+  target_link_libraries(hewn_${name} PRIVATE hewn_settings ${ARG_LINKS})
+  target_link_options(hewn_${name} PRIVATE LINKER:--no-undefined)
+endfunction()
+
 # hewn_test(NAME LABELS ... SOURCES ... LINKS ...): one doctest executable. Add the label `unit`,
 # `property`, `golden`, `openscad`, `session`, `gpu` or `fuzz`.
 function(hewn_test name)

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 
-#include <tbb/task_arena.h>
-
-#include "core/compute/arena.h"
 #include "core/compute/busy_threads.h"
 #include "core/compute/parallel.h"
+#include "core/compute/thread_pool.h"
 
 namespace hewn {
 namespace {
@@ -33,7 +31,7 @@ void for_each_with_idle(int threads, std::size_t workers, std::size_t n,
     for_each_with_worker(threads, workers, n - first,
                          [&](std::size_t worker, std::size_t i) { body(worker, first + i); });
   };
-  in_arena(threads, [&loop] { tbb::this_task_arena::isolate(loop); });
+  thread_pool().isolate(threads, loop);
 }
 
 }  // namespace hewn

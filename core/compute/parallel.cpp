@@ -1,14 +1,12 @@
 #include "core/compute/parallel.h"
 
 #include <algorithm>
+#include <thread>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
-#include "core/compute/arena.h"
 #include "core/compute/busy_threads.h"
 #include "core/compute/first_loops.h"
 #include "core/compute/fork_join.h"
+#include "core/compute/thread_pool.h"
 
 namespace hewn {
 
@@ -21,22 +19,21 @@ void for_each_chunk(int threads, std::size_t n, std::size_t grain,
   }
   const std::size_t first = begin_alone(n, grain, body);
   if (first == n) return;
-  const tbb::blocked_range<std::size_t> range(first, n, grain);
   ForkJoin order;
-  const auto visit = [&](const tbb::blocked_range<std::size_t>& part) {
+  const auto visit = [&](std::size_t begin, std::size_t end) {
     const BusyThread busy;
     order.begin();
-    body(part.begin(), part.end());
+    body(begin, end);
     order.end();
   };
   order.fork();
-  in_arena(threads, [&] { tbb::parallel_for(range, visit, tbb::simple_partitioner()); });
+  thread_pool().for_each_range(threads, first, n, grain, visit);
   order.join();
 }
 
 int worker_count(int threads) {
-  if (threads == 1) return 1;  // oneTBB looks for other libraries before it knows the cores
-  const int cores = std::max(1, tbb::info::default_concurrency());
+  if (threads == 1) return 1;
+  static const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   return threads <= 0 ? cores : std::min(threads, cores);
 }
 

@@ -1,0 +1,27 @@
+#include <stdexcept>
+#include <string>
+
+#include "core/base/module.h"
+#include "core/compute/thread_pool.h"
+
+namespace hewn {
+namespace {
+
+const ThreadPool* load() {
+  using Symbol = const ThreadPool* (*)();
+  const Result<void*> symbol = module_symbol(kThreadsLibrary, kThreadsSymbol);
+  if (symbol) return reinterpret_cast<Symbol>(*symbol)();
+  throw std::runtime_error(
+      "more than one thread needs a part of the program that cannot be loaded (" +
+      symbol.error().message + "); keep " + kThreadsLibrary +
+      " beside the program, or use one thread");
+}
+
+}  // namespace
+
+const ThreadPool& thread_pool() {
+  static const ThreadPool* const pool = load();
+  return *pool;
+}
+
+}  // namespace hewn
