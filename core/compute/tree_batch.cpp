@@ -1,9 +1,11 @@
 #include "core/compute/tree_batch.h"
 
 #include <algorithm>
+#include <ranges>
 
 #include "core/base/assert.h"
 #include "core/compute/kernels/kernels.h"
+#include "core/compute/parallel.h"
 
 namespace hewn {
 namespace {
@@ -22,6 +24,25 @@ constexpr TreeOperand kAllRows = array_operand(0);
 
 constexpr std::int32_t overlap_words_of(const TreeSpan& tree) {
   return (tree.steps + kStepsPerOverlapWord - 1) / kStepsPerOverlapWord;
+}
+
+/// Trees whose counts a thread puts together at a time.
+constexpr std::size_t kTreesPerChunk = 16384;
+
+/// One past the last tree of a launch that begins with `first`: the first one with which there are
+/// so many steps, a tree's own value being one.
+std::size_t end_of_launch(const TreeBatch& batch, std::size_t first, std::size_t most_steps) {
+  const auto steps_before = [&](std::size_t tree) {
+    const std::size_t steps = tree < batch.size()
+                                  ? static_cast<std::size_t>(batch.trees()[tree].first_step)
+                                  : batch.steps().size();
+    return steps + tree;
+  };
+  const auto ends = std::views::iota(first + 1, batch.size());
+  const auto end = std::ranges::partition_point(ends, [&](std::size_t tree) {
+    return steps_before(tree) - steps_before(first) < most_steps;
+  });
+  return first + 1 + static_cast<std::size_t>(end - ends.begin());
 }
 
 TreeOp op_of(Token token) {
@@ -148,8 +169,10 @@ DeviceBuffer<Word> MeasuredRows::upload_part(DeviceJob& job, std::size_t begin,
 
 Result<void> MeasuredRows::measure(Device& device, const TreeBatch& batch,
                                    std::span<TreeMeasures> out, const RunContext& run) {
-  std::fill(out.begin(), out.end(), TreeMeasures{});
-  if (rows_ == 0 || batch.size() == 0) return {};
+  if (rows_ == 0 || batch.size() == 0) {
+    std::fill(out.begin(), out.end(), TreeMeasures{});
+    return {};
+  }
   // What they hold is downloaded.
   counts_.resize(batch.size());
   overlaps_.resize(batch.overlap_words());
@@ -165,15 +188,20 @@ Result<void> MeasuredRows::measure(Device& device, const TreeBatch& batch,
     if (part.words != words_) resident_ = {};
     if (!done) return done;
   }
-  for (std::size_t t = 0; t < batch.size(); ++t) {
-    const TreeSpan& tree = batch.trees()[t];
-    out[t].held = counts_[t].held;
-    out[t].held_wanted = counts_[t].held_wanted;
-    for (std::int32_t w = 0; w < overlap_words_of(tree); ++w) {
-      out[t].overlaps += count_bits(overlaps_[static_cast<std::size_t>(tree.first_overlap + w)]);
-    }
-  }
+  for_each_chunk(run.threads, batch.size(), kTreesPerChunk,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (std::size_t t = begin; t < end; ++t)
+                     out[t] = measures_of(batch.trees()[t], counts_[t]);
+                 });
   return {};
+}
+
+TreeMeasures MeasuredRows::measures_of(const TreeSpan& tree, const TreeCounts& counts) const {
+  TreeMeasures m{counts.held, counts.held_wanted, 0};
+  for (std::int32_t w = 0; w < overlap_words_of(tree); ++w) {
+    m.overlaps += count_bits(overlaps_[static_cast<std::size_t>(tree.first_overlap + w)]);
+  }
+  return m;
 }
 
 Result<void> MeasuredRows::measure_part(Device& device, const TreeBatch& batch, const Part& part,
@@ -184,11 +212,7 @@ Result<void> MeasuredRows::measure_part(Device& device, const TreeBatch& batch, 
   const auto steps = job.upload(batch.steps());
   for (std::size_t first = 0; first < batch.size() && !job.has_failed();) {
     if (run.is_cancelled()) return RunContext::cancelled();
-    std::size_t last = first;
-    std::size_t work = 0;
-    for (; last < batch.size() && work < most_work; ++last) {
-      work += static_cast<std::size_t>(batch.trees()[last].steps + 1) * part.words;
-    }
+    const std::size_t last = end_of_launch(batch, first, most_work / part.words);
     const std::int32_t first_overlap = batch.trees()[first].first_overlap;
     const std::size_t end_overlap =
         last < batch.size() ? static_cast<std::size_t>(batch.trees()[last].first_overlap)

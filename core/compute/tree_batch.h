@@ -88,6 +88,7 @@ class MeasuredRows {
   };
   std::size_t words_per_part(const Device& device) const;
   DeviceBuffer<Word> upload_part(DeviceJob& job, std::size_t begin, std::size_t words) const;
+  TreeMeasures measures_of(const TreeSpan& tree, const TreeCounts& counts) const;
   Result<void> measure_part(Device& device, const TreeBatch& batch, const Part& part,
                             const RunContext& run);
 
