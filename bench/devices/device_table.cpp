@@ -280,17 +280,14 @@ void add_cylinder_fit(std::size_t point_count, Rng& rng, FitBatch& batch) {
 
 Task fits_task(std::size_t fits, std::size_t points) {
   Rng rng(8);
-  auto start = std::make_shared<FitBatch>();
-  for (std::size_t f = 0; f < fits; ++f) add_cylinder_fit(points, rng, *start);
+  auto batch = std::make_shared<FitBatch>();
+  for (std::size_t f = 0; f < fits; ++f) add_cylinder_fit(points, rng, *batch);
   // A row, the sums over its pairs, and the costs, in four rounds at least.
   constexpr double kOperations = 4 * (30 + 45 + 6);
   return {std::to_string(fits) + " cylinder fits, " + std::to_string(points) + " points",
           static_cast<double>(fits),
           "fits",
-          [=](Device& device) {
-            FitBatch batch = *start;
-            return batch.solve(device, {});
-          },
+          [=](Device& device) { return batch->solve(device, {}); },
           {0, kOperations * static_cast<double>(fits) * static_cast<double>(points), 0}};
 }
 

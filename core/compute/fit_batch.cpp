@@ -79,7 +79,7 @@ void FitBatch::add(const FitTarget& target, const SurfaceForm& guess, const FitR
   HEWN_ASSERT(rows.on_surface() > 0, "a fit has points on the surface");
   fits_.push_back({points_.size(), rows.points.size(), normals_.size(), rows.normals.size()});
   targets_.push_back(target);
-  states_.push_back(state_at(guess));
+  starts_.push_back(state_at(guess));
   points_.insert(points_.end(), rows.points.begin(), rows.points.end());
   normals_.insert(normals_.end(), rows.normals.begin(), rows.normals.end());
   HEWN_ASSERT(points_.size() < std::size_t{1} << 30, "too many points for 32-bit numbers");
@@ -92,6 +92,7 @@ Result<void> FitBatch::solve(Device& device, const RunContext& run) {
     const std::size_t most_parts = fit.points / FitPart::kLongest + 2;
     return (fit.points + fit.normals) * sizeof(PlainVec) + most_parts * kBytesOfPart + kBytesOfFit;
   };
+  solved_.resize(size());
   for (std::size_t begin = 0; begin < size();) {
     std::size_t end = begin;
     std::size_t bytes = 0;
@@ -126,7 +127,7 @@ Result<void> FitBatch::solve_some(Device& device, std::size_t begin, std::size_t
   const auto normals =
       job.upload<PlainVec>(some(normals_, first_normal, fits_[end - 1].end_normal()));
   const auto targets = job.upload<FitTarget>(some(targets_, begin, end));
-  const auto states = job.upload<FitState>(some(states_, begin, end));
+  const auto states = job.upload<FitState>(some(starts_, begin, end));
   const auto device_parts = job.upload<FitPart>(parts);
   const auto device_parts_of = job.upload<FitParts>(parts_of);
   const auto sums = job.allocate<FitEquations>(parts.size() * kFitLanes);
@@ -140,7 +141,7 @@ Result<void> FitBatch::solve_some(Device& device, std::size_t begin, std::size_t
                              counter.data()});
     job.download(counter, std::span<int>(&unfinished, 1));
   }
-  job.download(states, some(states_, begin, end));
+  job.download(states, some(solved_, begin, end));
   return job.result();
 }
 

@@ -32,12 +32,16 @@ class FitBatch {
   void add(const FitTarget& target, const SurfaceForm& guess, const FitRows& rows);
   std::size_t size() const { return fits_.size(); }
 
-  /// Goes on until all fits are done, at a time as many as fit into the device's memory.
-  /// Fails with: the device's errors, Cancelled. Cost: as `fit_alone`; two launches a round.
+  /// From the guesses on until all fits are done, at a time as many as fit into the device's
+  /// memory. Fails with: the device's errors, Cancelled. Cost: as `fit_alone`; two launches a
+  /// round.
   Result<void> solve(Device& device, const RunContext& run);
 
   /// The best surface that was found, after `solve`.
-  const SurfaceForm& surface(std::size_t fit) const { return states_[fit].best; }
+  const SurfaceForm& surface(std::size_t fit) const { return solved_[fit].best; }
+
+  /// Estimate for `Compute::run`: measured on one core (docs/performance.md).
+  double seconds() const { return 5e-8 * static_cast<double>(points_.size()); }
 
  private:
   struct Fit {
@@ -51,7 +55,7 @@ class FitBatch {
 
   std::vector<Fit> fits_;
   std::vector<FitTarget> targets_;
-  std::vector<FitState> states_;
+  std::vector<FitState> starts_, solved_;
   std::vector<PlainVec> points_, normals_;
 };
 

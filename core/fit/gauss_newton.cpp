@@ -227,8 +227,7 @@ Result<void> refine_surfaces(std::span<FitTask> tasks, const RunContext& run) {
     owners.push_back(&task);
   }
   const auto solve = [&](Device& device) { return batch.solve(device, run); };
-  // Where a GPU begins to pay has not been measured: it does this on demand only.
-  Result<void> done = compute_of(run)->run(0, run, solve);
+  Result<void> done = compute_of(run)->run(batch.seconds(), run, solve);
   if (!done) return done;
   for (std::size_t i = 0; i < fits.size(); ++i) {
     owners[i]->is_fitted = fits[i].take(batch.surface(i), owners[i]->surface);

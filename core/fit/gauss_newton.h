@@ -43,8 +43,8 @@ struct FitTask {
   bool is_fitted = false;  ///< out
 };
 
-/// Does what `refine_surface` does, to the bit, for many surfaces side by side: on all cores, or on
-/// the GPU when that is demanded. Fails with: Cancelled; then `tasks` are as they were.
+/// Does what `refine_surface` does, to the bit, for many surfaces side by side: on the device where
+/// it pays, or on all cores. Fails with: Cancelled; then `tasks` are as they were.
 Result<void> refine_surfaces(std::span<FitTask> tasks, const RunContext& run);
 
 /// Standard deviations of a fitted surface's values; 0 for values that the kind lacks.
