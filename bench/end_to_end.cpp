@@ -1,9 +1,12 @@
 /// The end-to-end table: every part through segmentation, fitting and search, with times per stage.
 ///
-///   end_to_end [--threads N] [--seed N] [--out DIR] [--set OPTION=NUMBER] MESH...
+///   end_to_end [--threads N] [--device NAME] [--seed N] [--out DIR] [--evolve] [--set
+///   OPTION=NUMBER]
+///              MESH...
 ///
-/// `--set` takes the options of the tree search, for measuring what each is worth. The last line
-/// has the sums and the peak memory.
+/// `--evolve` takes the published genetic search. `--set` takes the options of the tree search, for
+/// measuring what each is worth. A GPU stays open from one part to the next: a part named twice
+/// tells what opening it costs. The last line has the sums and the peak memory.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -15,11 +18,14 @@
 #include <sys/resource.h>
 
 #include "app/heap.h"
+#include "core/compute/compute.h"
 #include "core/fit/surface_set.h"
 #include "core/io/openscad.h"
 #include "core/mesh/load.h"
 #include "core/segment/segment.h"
+#include "core/synth/evolve/evolve_tree.h"
 #include "core/synth/find_tree.h"
+#include "gpu/cuda_device.h"
 
 namespace hewn {
 namespace {
@@ -44,12 +50,13 @@ struct Totals {
 };
 
 /// Applies "name=number"; false when there is no such option.
-bool set_option(TreeSearchOptions& options, const std::string& assignment) {
+template <class Options>
+bool set_option(Options& options, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos) return false;
-  for (const auto& field : option_table<TreeSearchOptions>()) {
+  for (const auto& field : option_table<Options>()) {
     if (field.name != assignment.substr(0, equals)) continue;
-    const auto* member = std::get_if<int TreeSearchOptions::*>(&field.member);
+    const auto* member = std::get_if<int Options::*>(&field.member);
     if (member == nullptr) return false;
     options.*(*member) = std::atoi(assignment.c_str() + equals + 1);
     return true;
@@ -67,8 +74,15 @@ double peak_memory_mb() {
 struct Setup {
   RunContext run;
   TreeSearchOptions search;
+  EvolveOptions evolution;
+  bool evolves = false;
   std::string out;
 };
+
+Result<TreeAnswer> search(const TreeProblem& problem, const Setup& setup) {
+  return setup.evolves ? evolve_tree(problem, setup.evolution, setup.run)
+                       : find_tree(problem, setup.search, setup.run);
+}
 
 Result<void> run_part(const std::filesystem::path& path, const Setup& setup, Totals& totals) {
   const RunContext& run = setup.run;
@@ -89,7 +103,7 @@ Result<void> run_part(const std::filesystem::path& path, const Setup& setup, Tot
   problem.query = &query;
   problem.segmentation = &*segmentation;
   problem.surfaces = &*surfaces;
-  const auto answer = find_tree(problem, setup.search, run);
+  const auto answer = search(problem, setup);
   if (!answer) return answer.error();
   const double searched = watch.lap();
   const int literals = literal_count(answer->tree);
@@ -118,24 +132,38 @@ int main(int argc, char** argv) {
   hewn::use_large_pages();
   hewn::Setup setup;
   setup.run.threads = 1;
+  hewn::DeviceChoice device;
   std::vector<std::string> meshes;
   for (int i = 1; i < argc; ++i) {
     const std::string arg = argv[i];
     if (arg == "--threads" && i + 1 < argc) {
       setup.run.threads = std::atoi(argv[++i]);
+    } else if (arg == "--device" && i + 1 < argc) {
+      const auto parsed = hewn::DeviceChoice::parse(argv[++i]);
+      if (!parsed) {
+        fmt::print(stderr, "{}\n", parsed.error().message);
+        return 2;
+      }
+      device = *parsed;
+    } else if (arg == "--evolve") {
+      setup.evolves = true;
     } else if (arg == "--seed" && i + 1 < argc) {
       setup.run.seed = static_cast<std::uint64_t>(std::atoll(argv[++i]));
     } else if (arg == "--out" && i + 1 < argc) {
       setup.out = argv[++i];
     } else if (arg == "--set" && i + 1 < argc) {
-      if (!hewn::set_option(setup.search, argv[++i])) {
-        fmt::print(stderr, "no such option: {}\n", argv[i]);
+      const char* assignment = argv[++i];
+      if (!hewn::set_option(setup.search, assignment) &
+          !hewn::set_option(setup.evolution, assignment)) {
+        fmt::print(stderr, "no such option: {}\n", assignment);
         return 2;
       }
     } else {
       meshes.push_back(arg);
     }
   }
+  setup.run.compute =
+      std::make_shared<hewn::Compute>(setup.run.threads, device, hewn::open_cuda_device);
   fmt::print(
       "part     triangl group halfs  sep  cells  size  lit  agreemt rnd    terms   load "
       "segmnt regular search   total\n");
