@@ -15,6 +15,7 @@
 #include "core/compute/cpu_device.h"
 #include "core/compute/curvature_job.h"
 #include "core/compute/fit_batch.h"
+#include "core/compute/generations.h"
 #include "core/compute/pair_counts.h"
 #include "core/compute/signatures.h"
 #include "core/compute/surface_scores.h"
@@ -196,16 +197,22 @@ Task pairs_task(std::size_t column_count, std::size_t rows) {
       {4 * count * static_cast<double>(rows) / 32, 0, 0}};
 }
 
-/// Trees of 31 nodes over 64 primitives.
-Task scores_task(std::size_t trees, std::size_t samples) {
+std::shared_ptr<SurfaceScores> random_scores(std::size_t primitives, std::size_t samples) {
   Rng rng(5);
-  constexpr std::size_t kPrimitives = 64;
-  auto table = std::make_shared<SurfaceScores>(kPrimitives, samples);
-  for (std::size_t k = 0; k < kPrimitives; ++k) {
+  auto table = std::make_shared<SurfaceScores>(primitives, samples);
+  for (std::size_t k = 0; k < primitives; ++k) {
     for (std::size_t i = 0; i < samples; ++i) {
       table->set(k, i, {static_cast<float>(rng.uniform(-1, 1)), 1000, 10});
     }
   }
+  return table;
+}
+
+/// Trees of 31 nodes over 64 primitives.
+Task scores_task(std::size_t trees, std::size_t samples) {
+  Rng rng(6);
+  constexpr std::size_t kPrimitives = 64;
+  auto table = random_scores(kPrimitives, samples);
   auto batch = std::make_shared<TreeBatch>();
   for (std::size_t t = 0; t < trees; ++t) {
     std::vector<Token> tree;
@@ -220,6 +227,37 @@ Task scores_task(std::size_t trees, std::size_t samples) {
           [=](Device& device) { return table->measure(device, *batch, *totals, {}); },
           // A comparison and two choices for each operation.
           {3 * 15 * pairs, 0, 0}};
+}
+
+/// A genetic search over 64 primitives: what a generation takes, once the trees are on the device.
+Task generations_task(std::size_t trees, std::size_t samples) {
+  constexpr int kGenerations = 20;
+  constexpr std::size_t kPrimitives = 64;
+  constexpr int kLeaves = 40;
+  auto scores = random_scores(kPrimitives, samples);
+  Rng rng(9);
+  auto first = std::make_shared<std::vector<std::vector<Token>>>(trees);
+  for (auto& tree : *first) append_tree(tree, kLeaves, rng);
+  const BreedingRules rules{kPrimitives, 127, 0.3, 0.3, 2};
+  const TreeWorth worth{2.0 * SurfaceScoreKernel::kLargestScore * static_cast<double>(samples),
+                        1e-5};
+  const double bred = kGenerations * static_cast<double>(trees);
+  return {std::to_string(kGenerations) + " generations of " + std::to_string(trees) + ", " +
+              std::to_string(samples) + " samples",
+          bred,
+          "trees",
+          [=](Device& device) -> Result<void> {
+            Generations generations(device, *scores, rules, worth);
+            if (auto done = generations.begin(*first, {}); !done) return done;
+            for (int i = 0; i < kGenerations; ++i) {
+              const std::vector<std::int32_t> elite = {0, 1};
+              const auto done = generations.breed(elite, static_cast<std::uint64_t>(i), {});
+              if (!done) return done;
+            }
+            return {};
+          },
+          // A comparison and two choices for each operation of trees as long as the first.
+          {3.0 * (kLeaves - 1) * bred * static_cast<double>(samples), 0, 0}};
 }
 
 /// All stages of segmentation by curvature on a torus of 2 n^2 triangles.
@@ -408,6 +446,8 @@ int run(const std::string& filter) {
   print_row(machines, pairs_task(1000, 50000));
   print_row(machines, scores_task(150, 2000));
   print_row(machines, scores_task(has_gpu ? 50000 : 1000, 4096));
+  print_row(machines, generations_task(150, 2000));
+  print_row(machines, generations_task(has_gpu ? 5000 : 500, 2000));
   print_row(machines, curvature_task(100));
   print_row(machines, curvature_task(708));
   print_row(machines, fits_task(50, 300));

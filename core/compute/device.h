@@ -114,7 +114,12 @@ class DeviceJob {
   /// Requires: `to.size() <= from.size()`, unless something has failed.
   template <class T>
   void download(const DeviceBuffer<T>& from, std::span<T> to) {
-    if (!error_ && !to.empty()) keep(device_->download(to.data(), from.data(), to.size_bytes()));
+    download(from.data(), to);
+  }
+  /// The same from an address on the device.
+  template <class T>
+  void download(const T* from, std::span<T> to) {
+    if (!error_ && !to.empty()) keep(device_->download(to.data(), from, to.size_bytes()));
   }
   void launch(const Kernel& kernel) {
     if (!error_) keep(device_->launch(kernel));

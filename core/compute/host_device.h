@@ -1,16 +1,10 @@
 #pragma once
-/// What kernels need to be one source for two compilers. The only header that asks which compiler
-/// reads it.
+/// What kernels need to be one source for two compilers.
 #include <cstdint>
 #include <cstring>
 
+#include "core/base/host_device_function.h"
 #include "core/compute/bits.h"
-
-#if defined(__CUDACC__)
-#define HEWN_HD __host__ __device__ __forceinline__
-#else
-#define HEWN_HD inline __attribute__((always_inline))
-#endif
 
 namespace hewn {
 

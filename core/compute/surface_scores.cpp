@@ -57,8 +57,23 @@ SurfaceScores::Part SurfaceScores::upload_part(DeviceJob& job, std::size_t begin
 
 Result<void> SurfaceScores::measure(Device& device, const TreeBatch& batch,
                                     std::span<std::uint64_t> out, const RunContext& run) {
-  std::fill(out.begin(), out.end(), std::uint64_t{0});
-  if (samples_ == 0 || batch.size() == 0) return {};
+  if (batch.size() == 0) return {};
+  DeviceJob job(device);
+  const auto steps = job.upload(batch.steps());
+  const auto spans = job.upload(batch.trees());
+  const auto totals = job.allocate_filled<std::uint64_t>(batch.size(), 0);
+  if (job.has_failed()) return job.result();
+  const std::size_t steps_each = batch.steps().size() / batch.size();
+  Result<void> added =
+      add_to(device, {spans.data(), batch.size(), steps.data(), steps_each, totals.data()}, run);
+  if (!added) return added;
+  job.download(totals, out);
+  return job.result();
+}
+
+Result<void> SurfaceScores::add_to(Device& device, const ScoredTrees& trees,
+                                   const RunContext& run) {
+  if (samples_ == 0 || trees.count == 0) return {};
   const std::size_t step = samples_per_part(device);
   for (std::size_t begin = 0; begin < padded_; begin += step) {
     const std::size_t samples = std::min(step, padded_ - begin);
@@ -66,36 +81,29 @@ Result<void> SurfaceScores::measure(Device& device, const TreeBatch& batch,
     DeviceJob job(device);
     if (!is_resident) resident_ = upload_part(job, begin, samples);
     Result<void> done = job.result();
-    if (done) done = measure_part(device, batch, resident_, out, run);
+    if (done) done = add_part(device, resident_, trees, run);
     if (!done || samples != padded_) resident_ = {};
     if (!done) return done;
   }
   return {};
 }
 
-Result<void> SurfaceScores::measure_part(Device& device, const TreeBatch& batch, const Part& part,
-                                         std::span<std::uint64_t> out,
-                                         const RunContext& run) const {
+Result<void> SurfaceScores::add_part(Device& device, const Part& part, const ScoredTrees& trees,
+                                     const RunContext& run) const {
   const std::size_t most_work =
       device.info().is_accelerator ? kWorkPerAcceleratedLaunch : kWorkPerLaunch;
+  const std::size_t work_each = (trees.steps_each + 1) * part.samples;
+  const std::size_t most_trees = std::max<std::size_t>(1, most_work / work_each);
   DeviceJob job(device);
-  const auto steps = job.upload(batch.steps());
-  std::vector<std::uint64_t> launch_totals;
-  for (std::size_t first = 0; first < batch.size() && !job.has_failed();) {
+  for (std::size_t first = 0; first < trees.count && !job.has_failed(); first += most_trees) {
     if (run.is_cancelled()) return RunContext::cancelled();
-    std::size_t last = first;
-    for (std::size_t work = 0; last < batch.size() && work < most_work; ++last) {
-      work += static_cast<std::size_t>(batch.trees()[last].steps + 1) * part.samples;
-    }
-    const auto trees = job.upload(batch.trees().subspan(first, last - first));
-    const auto totals = job.allocate_filled<std::uint64_t>(last - first, 0);
-    job.launch(SurfaceScoreKernel{trees.data(), static_cast<std::int64_t>(last - first),
-                                  steps.data(), static_cast<std::int64_t>(part.samples),
-                                  part.distances.data(), part.scores.data(), totals.data()});
-    launch_totals.assign(last - first, 0);
-    job.download(totals, std::span<std::uint64_t>(launch_totals));
-    for (std::size_t t = first; t < last; ++t) out[t] += launch_totals[t - first];
-    first = last;
+    // A look at a total waits for the launch before.
+    std::uint64_t total = 0;
+    if (first > 0) job.download(trees.totals, std::span(&total, 1));
+    const std::size_t count = std::min(most_trees, trees.count - first);
+    job.launch(SurfaceScoreKernel{trees.spans + first, static_cast<std::int64_t>(count),
+                                  trees.steps, static_cast<std::int64_t>(part.samples),
+                                  part.distances.data(), part.scores.data(), trees.totals + first});
   }
   return job.result();
 }

@@ -17,6 +17,15 @@ struct SampleScore {
   std::uint32_t score = 0, turned_score = 0;
 };
 
+/// Trees in a device's memory, with the totals that their scores are added to.
+struct ScoredTrees {
+  const TreeSpan* spans = nullptr;
+  std::size_t count = 0;
+  const TreeStep* steps = nullptr;
+  std::size_t steps_each = 0;  ///< about: bounds how long a launch takes
+  std::uint64_t* totals = nullptr;
+};
+
 /// Distances and scores of primitives at samples. Kept on the device that scored last where they
 /// fit into its budget, else sent in parts each time. One thread.
 class SurfaceScores {
@@ -37,9 +46,13 @@ class SurfaceScores {
   Result<void> measure(Device& device, const TreeBatch& batch, std::span<std::uint64_t> out,
                        const RunContext& run);
 
+  /// Adds the same sums to the trees' totals, on the device; kernels may still run afterwards.
+  Result<void> add_to(Device& device, const ScoredTrees& trees, const RunContext& run);
+
   /// Estimate for `Compute::run`: measured on one core (docs/performance.md).
+  double seconds_for(double steps) const { return 7e-10 * steps * static_cast<double>(padded_); }
   double seconds_for(const TreeBatch& batch) const {
-    return 7e-10 * static_cast<double>(batch.steps().size()) * static_cast<double>(padded_);
+    return seconds_for(static_cast<double>(batch.steps().size()));
   }
 
  private:
@@ -51,9 +64,8 @@ class SurfaceScores {
   };
   std::size_t samples_per_part(const Device& device) const;
   Part upload_part(DeviceJob& job, std::size_t begin, std::size_t samples) const;
-  /// Adds the part's scores to `out`.
-  Result<void> measure_part(Device& device, const TreeBatch& batch, const Part& part,
-                            std::span<std::uint64_t> out, const RunContext& run) const;
+  Result<void> add_part(Device& device, const Part& part, const ScoredTrees& trees,
+                        const RunContext& run) const;
 
   std::size_t primitives_, samples_, padded_;
   std::vector<float> distances_;       ///< by primitive, then by sample

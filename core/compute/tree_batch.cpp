@@ -14,16 +14,18 @@ namespace {
 constexpr std::size_t kWorkPerLaunch = std::size_t{1} << 26;
 constexpr std::size_t kWorkPerAcceleratedLaunch = std::size_t{1} << 33;
 
-constexpr TreeOperand array_operand(int array) { return static_cast<TreeOperand>(-1 - array); }
-/// Results that are not columns are those of the step before when they are asked for at once.
-constexpr TreeOperand at_hand(TreeOperand operand) {
-  return operand < 0 ? kPreviousResult : operand;
-}
-/// What complements have in the place of their second operand.
-constexpr TreeOperand kAllRows = array_operand(0);
-
 constexpr std::int32_t overlap_words_of(const TreeSpan& tree) {
   return (tree.steps + kStepsPerOverlapWord - 1) / kStepsPerOverlapWord;
+}
+
+[[maybe_unused]] bool is_one_formula(std::span<const Token> tree) {
+  std::int32_t open = 0;
+  for (const Token token : tree) {
+    const std::int32_t operands = token >= 0 ? 0 : token == kComplementToken ? 1 : 2;
+    if (open < operands) return false;
+    open += 1 - operands;
+  }
+  return open == 1;
 }
 
 /// Trees whose counts a thread puts together at a time.
@@ -45,19 +47,6 @@ std::size_t end_of_launch(const TreeBatch& batch, std::size_t first, std::size_t
   return first + 1 + static_cast<std::size_t>(end - ends.begin());
 }
 
-TreeOp op_of(Token token) {
-  switch (token) {
-    case kUnionToken:
-      return TreeOp::Union;
-    case kIntersectionToken:
-      return TreeOp::Intersection;
-    case kDifferenceToken:
-      return TreeOp::Difference;
-    default:
-      return TreeOp::Complement;
-  }
-}
-
 }  // namespace
 
 void TreeBatch::clear() {
@@ -67,73 +56,21 @@ void TreeBatch::clear() {
 }
 
 void TreeBatch::add(std::span<const Token> tree) {
-  nodes_.clear();
-  stack_.clear();
-  for (std::size_t i = 0; i < tree.size(); ++i) {
-    Node node;
-    if (tree[i] < 0) {
-      HEWN_ASSERT(stack_.size() >= (tree[i] == kComplementToken ? 1u : 2u), "operands are missing");
-      node.right = stack_.back();
-      stack_.pop_back();
-      int least = nodes_[static_cast<std::size_t>(node.right)].arrays;
-      int most = least;
-      if (tree[i] != kComplementToken) {
-        node.left = stack_.back();
-        stack_.pop_back();
-        least = std::min(least, nodes_[static_cast<std::size_t>(node.left)].arrays);
-        most = std::max(most, nodes_[static_cast<std::size_t>(node.left)].arrays);
-        if (least == most && least > 0) ++most;
-      }
-      node.arrays = std::max(most, 1);
-    }
-    nodes_.push_back(node);
-    stack_.push_back(static_cast<std::int32_t>(i));
-  }
-  HEWN_ASSERT(stack_.size() == 1, "not one complete formula");
-  HEWN_ASSERT(nodes_.back().arrays <= TreeKernel::kWorkArrays, "a tree of more than 2^15 leaves");
+  const auto size = static_cast<std::int32_t>(tree.size());
+  nodes_.resize(tree.size());
+  pending_.resize(tree.size() + 1);
   TreeSpan span;
-  HEWN_ASSERT(steps_.size() + tree.size() < std::size_t{1} << 31, "too many steps in a batch");
   span.first_step = static_cast<std::int32_t>(steps_.size());
   span.first_overlap = static_cast<std::int32_t>(overlap_words_);
-  span.value = at_hand(emit(tree, stack_.back(), 0));
-  span.steps = static_cast<std::int32_t>(steps_.size()) - span.first_step;
+  span.steps = step_count(tree.data(), size);
+  HEWN_ASSERT(steps_.size() + tree.size() < std::size_t{1} << 31, "too many steps in a batch");
+  HEWN_ASSERT(is_one_formula(tree), "not one complete formula");
+  steps_.resize(steps_.size() + static_cast<std::size_t>(span.steps));
+  TreeStep* const steps = steps_.data() + span.first_step;
+  span.value = write_steps(tree.data(), size, nodes_.data(), pending_.data(), steps);
+  HEWN_ASSERT(nodes_.back().arrays <= TreeKernel::kWorkArrays, "a tree of more than 2^15 leaves");
   overlap_words_ += static_cast<std::size_t>(overlap_words_of(span));
   trees_.push_back(span);
-}
-
-TreeOperand TreeBatch::emit(std::span<const Token> tree, std::int32_t node, int first_array) {
-  const Token token = tree[static_cast<std::size_t>(node)];
-  if (token >= 0) return token;
-  const Node& n = nodes_[static_cast<std::size_t>(node)];
-  TreeStep step;
-  step.op = op_of(token);
-  step.target = static_cast<std::uint8_t>(first_array);
-  if (token == kComplementToken) {
-    step.a = at_hand(emit(tree, n.right, first_array));
-    step.b = kAllRows;
-  } else {
-    emit_operands(tree, n, first_array, step);
-  }
-  steps_.push_back(step);
-  return array_operand(first_array);
-}
-
-void TreeBatch::emit_operands(std::span<const Token> tree, const Node& node, int first_array,
-                              TreeStep& step) {
-  // The needier operand comes first; its result then occupies one array (Sethi, Ullman 1970).
-  const bool left_first = nodes_[static_cast<std::size_t>(node.left)].arrays >=
-                          nodes_[static_cast<std::size_t>(node.right)].arrays;
-  const TreeOperand early = emit(tree, left_first ? node.left : node.right, first_array);
-  const std::size_t early_end = steps_.size();
-  const TreeOperand late =
-      emit(tree, left_first ? node.right : node.left, first_array + (early < 0 ? 1 : 0));
-  // What was found last is at hand. Two columns stay in the tree's order.
-  const bool late_is_at_hand = late < 0;
-  step.a = at_hand(late_is_at_hand ? late : early);
-  step.b = late_is_at_hand ? early : late;
-  if (late_is_at_hand && early < 0) steps_[early_end - 1].is_kept = 1;
-  step.is_swapped = late_is_at_hand == left_first ? 1 : 0;
-  if (step.op == TreeOp::Difference && step.is_swapped != 0) step.op = TreeOp::ReverseDifference;
 }
 
 MeasuredRows::MeasuredRows(std::size_t rows, const std::vector<std::vector<Word>>& columns,

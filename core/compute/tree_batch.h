@@ -6,17 +6,9 @@
 
 #include "core/base/run_context.h"
 #include "core/compute/device.h"
-#include "core/compute/kernels/tree_kernel.h"
+#include "core/compute/kernels/tree_steps.h"
 
 namespace hewn {
-
-/// A tree in postfix order: a column's number at or above 0, or one of the operations below. A
-/// difference's second operand is the topmost; a complement has one.
-using Token = std::int16_t;
-inline constexpr Token kUnionToken = -1;
-inline constexpr Token kIntersectionToken = -2;
-inline constexpr Token kDifferenceToken = -3;
-inline constexpr Token kComplementToken = -4;
 
 /// What is measured of a tree.
 struct TreeMeasures {
@@ -39,21 +31,11 @@ class TreeBatch {
   std::size_t overlap_words() const { return overlap_words_; }
 
  private:
-  /// A node of the tree that is being added, by the token that ends it.
-  struct Node {
-    std::int32_t left = -1;  ///< the operands' last tokens
-    std::int32_t right = -1;
-    std::int32_t arrays = 0;  ///< work arrays that it needs; 0: a column
-  };
-  TreeOperand emit(std::span<const Token> tree, std::int32_t node, int first_array);
-  void emit_operands(std::span<const Token> tree, const Node& node, int first_array,
-                     TreeStep& step);
-
   std::vector<TreeSpan> trees_;
   std::vector<TreeStep> steps_;
   std::size_t overlap_words_ = 0;
-  std::vector<Node> nodes_;
-  std::vector<std::int32_t> stack_;
+  std::vector<TreeNode> nodes_;       ///< of the tree that is being added
+  std::vector<PendingNode> pending_;  ///< of those
 };
 
 /// The rows on which trees are measured, kept on the device that measured last. One thread.

@@ -9,6 +9,7 @@
 #include "core/compute/kernels/column_kernel.h"
 #include "core/compute/kernels/fit_kernels.h"
 #include "core/compute/kernels/flood_kernel.h"
+#include "core/compute/kernels/generation_kernels.h"
 #include "core/compute/kernels/group_normal_kernel.h"
 #include "core/compute/kernels/pair_count_kernel.h"
 #include "core/compute/kernels/surface_score_kernel.h"
@@ -21,7 +22,7 @@ using AnyKernel =
     std::variant<ColumnKernel, TransposeKernel, CellKernel, TreeKernel, VertexClassKernel,
                  BoundaryKernel, GroupNormalKernel, TriangleTensorKernel, SectorTensorKernel,
                  PrincipalKernel, FloodKernel, SurfaceScoreKernel, WindingKernel, PairCountKernel,
-                 FitSumKernel, FitStepKernel>;
+                 FitSumKernel, FitStepKernel, BreedKernel, TranslateKernel>;
 
 /// One of them. A type of its own, so that only those who launch kernels need read them all.
 struct Kernel : AnyKernel {

@@ -1,48 +1,36 @@
 #pragma once
-/// How creatures are chosen and changed: the operators of Fayolle and Pasko 2016, on postfix
-/// strings.
+/// The operators of core/compute/kernels/breeding.h for creatures of the host.
+#include "core/compute/kernels/breeding.h"
 #include "core/synth/evolve/genome.h"
 
 namespace hewn {
 
-struct BreedingRates {
-  double mutation = 0;   ///< share of the children that are changed at random
-  double crossover = 0;  ///< share of the children with two parents
-  int tournament = 1;    ///< creatures of which the best becomes a parent, > 0
-};
-
-/// Makes genomes over literals 0 .. `literals` - 1; none grows beyond `most_nodes`.
-class Breeder {
+/// Creatures, which have a `genome`, sorted by falling score.
+template <class Creature>
+class SortedParents {
  public:
-  Breeder(int literals, int most_nodes, const BreedingRates& rates)
-      : literals_(literals), most_nodes_(most_nodes), rates_(rates) {}
+  explicit SortedParents(const std::vector<Creature>& sorted) : sorted_(sorted) {}
 
-  /// A child of creatures, which have a `genome` and are sorted by falling score.
-  template <class Creature>
-  Genome child_of(const std::vector<Creature>& sorted, Rng& rng) const {
-    Genome child = sorted[tournament(sorted.size(), rng)].genome;
-    if (rng.uniform() < rates_.crossover) {
-      cross(child, sorted[tournament(sorted.size(), rng)].genome, rng);
-    }
-    if (rng.uniform() < rates_.mutation) mutate(child, rng);
-    return child;
+  std::size_t size() const { return sorted_.size(); }
+  bool is_better(std::int32_t a, std::int32_t b) const { return a < b; }
+  const Token* tokens(std::int32_t i) const { return genome(i).data(); }
+  std::int32_t token_count(std::int32_t i) const {
+    return static_cast<std::int32_t>(genome(i).size());
   }
 
  private:
-  /// The winner's index.
-  std::size_t tournament(std::size_t creatures, Rng& rng) const;
-
-  /// Puts a random subtree of the other parent in the place of one of `genome`'s.
-  void cross(Genome& genome, const Genome& other, Rng& rng) const;
-
-  /// A new subtree, a subtree in the place of its parent, another literal, or another operation.
-  void mutate(Genome& genome, Rng& rng) const;
-
-  void replace(Genome& genome, std::size_t last, const Genome& part) const;
-
-  int literals_;
-  int most_nodes_;
-  BreedingRates rates_;
+  const Genome& genome(std::int32_t i) const { return sorted_[static_cast<std::size_t>(i)].genome; }
+  const std::vector<Creature>& sorted_;
 };
+
+/// Requires: no parent longer than `rules.most_tokens`.
+template <class Creature>
+Genome child_of(const std::vector<Creature>& sorted, const BreedingRules& rules, Rng& rng) {
+  Genome child(static_cast<std::size_t>(rules.most_tokens));
+  TokenRow row{child.data(), 0};
+  breed(rules, SortedParents(sorted), rng, row);
+  child.resize(static_cast<std::size_t>(row.size));
+  return child;
+}
 
 }  // namespace hewn

@@ -6,116 +6,16 @@
 
 #include "core/mesh/sampling.h"
 #include "core/sample/sample_table.h"
-#include "core/synth/evolve/breeding.h"
-#include "core/synth/evolve/surface_fitness.h"
+#include "core/synth/evolve/surface_evolution.h"
 #include "core/synth/verify.h"
 
 namespace hewn {
 namespace {
 
 constexpr std::uint64_t kSampleStream = 0x600000;
-constexpr std::uint64_t kEvolveStream = 0x610000;
 constexpr std::uint64_t kAgreementStream = 0x620000;
 constexpr int kAgreementPoints = 10'000;
 constexpr std::size_t kMostPrimitives = 2000;  ///< more are hopeless
-constexpr int kMostNodes = 255;
-
-struct Creature {
-  Genome genome;
-  double fit = 0;    ///< of the surface, in [0, 1]
-  double score = 0;  ///< less what the nodes cost
-};
-
-class SurfaceEvolution {
- public:
-  SurfaceEvolution(SurfaceFitness& fitness, const EvolveOptions& options, const RunContext& run)
-      : fitness_(fitness), options_(options), run_(run), rng_(run.seed, kEvolveStream) {
-    const auto n = static_cast<double>(std::max<std::size_t>(2, fitness.samples()));
-    node_cost_ = options.size_penalty * std::log(n) / (2 * n);
-  }
-
-  /// Every combination of one or two primitives.
-  Result<Genome> enumerate() {
-    std::vector<Creature> all = {creature({0})};
-    if (fitness_.primitives() == 2) {
-      all.push_back(creature({1}));
-      for (const Token op : {kUnionToken, kIntersectionToken, kDifferenceToken}) {
-        all.push_back(creature({0, 1, op}));
-      }
-      all.push_back(creature({1, 0, kDifferenceToken}));
-    }
-    if (const auto judged = judge(all); !judged) return judged.error();
-    return std::max_element(all.begin(), all.end(), by_score)->genome;
-  }
-
-  Result<Genome> run() {
-    const int largest = std::clamp(2 * fitness_.primitives() - 1, 3, kMostNodes);
-    const Breeder breeder(fitness_.primitives(), std::min(2 * largest, kMostNodes),
-                          {options_.mutation, options_.crossover, options_.tournament});
-    for (int i = 0; i < options_.population; ++i) {
-      population_.push_back(creature(random_genome(fitness_.primitives(), largest, rng_)));
-    }
-    if (const auto judged = judge(population_); !judged) return judged.error();
-    double best = -kInfinity;
-    int idle = 0;
-    for (int i = 0; i < options_.iterations && idle < options_.most_idle; ++i, ++idle) {
-      if (run_.is_cancelled()) return RunContext::cancelled();
-      if (run_.should_stop()) break;
-      run_.report("evolve", static_cast<double>(i) / options_.iterations);
-      std::stable_sort(population_.begin(), population_.end(),
-                       [](const Creature& a, const Creature& b) { return by_score(b, a); });
-      if (population_[0].score > best + 1e-12) {
-        best = population_[0].score;
-        idle = 0;
-      }
-      if (population_[0].fit >= options_.enough) break;
-      if (const auto judged = breed(breeder); !judged) return judged.error();
-    }
-    return std::max_element(population_.begin(), population_.end(), by_score)->genome;
-  }
-
-  long evaluations() const { return evaluations_; }
-
- private:
-  static Creature creature(Genome genome) {
-    Creature c;
-    c.genome = std::move(genome);
-    return c;
-  }
-  static bool by_score(const Creature& a, const Creature& b) { return a.score < b.score; }
-
-  Result<void> judge(std::span<Creature> creatures) {
-    std::vector<const Genome*> genomes;
-    for (const Creature& c : creatures) genomes.push_back(&c.genome);
-    const auto fits = fitness_.measure(genomes, run_);
-    if (!fits) return fits.error();
-    for (std::size_t i = 0; i < creatures.size(); ++i) {
-      Creature& c = creatures[i];
-      c.fit = (*fits)[i];
-      c.score = c.fit - node_cost_ * static_cast<double>(c.genome.size());
-    }
-    evaluations_ += static_cast<long>(creatures.size());
-    return {};
-  }
-
-  Result<void> breed(const Breeder& breeder) {
-    const auto elite = std::min<std::ptrdiff_t>(options_.elite, options_.population);
-    std::vector<Creature> next(population_.begin(), population_.begin() + elite);
-    while (next.size() < population_.size()) {
-      next.push_back(creature(breeder.child_of(population_, rng_)));
-    }
-    population_ = std::move(next);
-    return judge(std::span(population_).subspan(static_cast<std::size_t>(elite)));
-  }
-
-  SurfaceFitness& fitness_;
-  const EvolveOptions& options_;
-  const RunContext& run_;
-  Rng rng_;
-  double node_cost_ = 0;
-  std::vector<Creature> population_;
-  long evaluations_ = 0;
-};
 
 std::vector<BoundedPrimitive> primitives_of(std::vector<BoundedPrimitive> all,
                                             const Labeller& label) {
@@ -242,14 +142,12 @@ Result<TreeAnswer> evolve_tree(const TreeProblem& problem, const EvolveOptions& 
   const SurfaceReach reach{options.distance * problem.query->mesh().diagonal(),
                            options.angle_deg * degree};
   SurfaceFitness fitness(primitives, samples, reach, run);
-  SurfaceEvolution evolution(fitness, options, run);
-  const bool are_few = primitives.size() <= 2;
-  const Result<Genome> best = are_few ? evolution.enumerate() : evolution.run();
-  if (!best) return best.error();
+  Result<Evolved> evolved = evolve_on_surface(fitness, options, run);
+  if (!evolved) return evolved.error();
   TreeAnswer answer;
-  answer.tree = tree_of(*best, primitives);
+  answer.tree = tree_of(evolved->best, primitives);
   answer.halfspaces = static_cast<int>(problem.surfaces->halfspaces.size());
-  answer.evaluations = evolution.evaluations();
+  answer.evaluations = evolved->evaluations;
   answer.agreement = agreement_of(problem, label, answer.tree, run);
   if (run.is_cancelled()) return RunContext::cancelled();
   return answer;

@@ -1,7 +1,6 @@
 #include "core/synth/evolve/genetic.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "core/synth/evolve/breeding.h"
@@ -54,8 +53,8 @@ class Evolution {
     for (const Genome& start : starts_) largest = std::max(largest, start.size());
     const int most_nodes =
         std::max(3, static_cast<int>(options_.largest * static_cast<double>(largest)));
-    breeder_.emplace(table_.literals(), most_nodes,
-                     BreedingRates{options_.mutation, options_.crossover, options_.tournament});
+    rules_ = {table_.literals(), most_nodes, options_.mutation, options_.crossover,
+              options_.tournament};
     for (int i = 0; i < options_.population; ++i) {
       Creature c;
       const auto copy = static_cast<std::size_t>(i / 2) % starts_.size();
@@ -132,7 +131,7 @@ class Evolution {
     const std::size_t kept = next.size();
     while (next.size() < population_.size()) {
       Creature child;
-      child.genome = breeder_->child_of(population_, rng_);
+      child.genome = child_of(population_, rules_, rng_);
       next.push_back(std::move(child));
     }
     population_ = std::move(next);
@@ -144,7 +143,7 @@ class Evolution {
   const RunContext& run_;
   FitnessTable table_;
   Rng rng_;
-  std::optional<Breeder> breeder_;
+  BreedingRules rules_;
   std::vector<Creature> population_;
   Genome best_;
   int best_proximity_ = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/compute/kernels/breeding.h"
+
 namespace hewn {
 namespace {
 
@@ -27,19 +29,6 @@ void append_positive(const Formula& f, Genome& out) {
       is_first = false;
     }
   }
-}
-
-void append_random(int literals, int nodes, Rng& rng, Genome& out) {
-  if (nodes < 3) {
-    out.push_back(static_cast<Token>(rng.below(static_cast<std::size_t>(literals))));
-    return;
-  }
-  const int inner = nodes - 1;
-  const int left = 1 + static_cast<int>(rng.below(static_cast<std::size_t>(inner - 1)));
-  append_random(literals, left, rng, out);
-  append_random(literals, inner - left, rng, out);
-  constexpr Token kOps[] = {kUnionToken, kIntersectionToken, kDifferenceToken};
-  out.push_back(kOps[rng.below(3)]);
 }
 
 }  // namespace
@@ -70,23 +59,12 @@ Token token_of(Op op) {
   }
 }
 
-std::size_t subtree_begin(const Genome& genome, std::size_t last) {
-  int open = 1;
-  std::size_t at = last;
-  while (true) {
-    const Token t = genome[at];
-    if (t >= 0) --open;
-    if (t == kUnionToken || t == kIntersectionToken || t == kDifferenceToken) ++open;
-    if (open == 0) return at;
-    --at;
-  }
-}
-
 Genome random_genome(int literals, int most_nodes, Rng& rng) {
-  Genome genome;
-  const auto choices = static_cast<std::size_t>(std::max(1, most_nodes));
-  const int nodes = 1 + static_cast<int>(rng.below(choices));
-  append_random(literals, nodes, rng, genome);
+  const int most = std::max(1, most_nodes);
+  Genome genome(static_cast<std::size_t>(most));
+  std::vector<std::int32_t> pending(static_cast<std::size_t>(most) + 1);
+  const int size = write_random_tree(literals, most, rng, genome.data(), pending.data());
+  genome.resize(static_cast<std::size_t>(size));
   return genome;
 }
 

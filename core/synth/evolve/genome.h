@@ -15,9 +15,6 @@ using Genome = std::vector<Token>;
 Op op_of(Token operation);
 Token token_of(Op op);
 
-/// Where the subtree ends with the token at `last` begins. Cost: O(its size).
-std::size_t subtree_begin(const Genome& genome, std::size_t last);
-
 /// A random tree of at most `most_nodes` nodes over literals 0 .. `literals` - 1.
 Genome random_genome(int literals, int most_nodes, Rng& rng);
 

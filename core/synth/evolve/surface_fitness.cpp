@@ -51,19 +51,8 @@ SurfaceFitness::SurfaceFitness(std::span<const BoundedPrimitive> primitives,
   });
 }
 
-Result<std::vector<double>> SurfaceFitness::measure(std::span<const Genome* const> genomes,
-                                                    const RunContext& run) {
-  batch_.clear();
-  for (const Genome* genome : genomes) batch_.add(*genome);
-  std::vector<std::uint64_t> totals(genomes.size());
-  const auto job = [&](Device& device) { return scores_.measure(device, batch_, totals, run); };
-  const Result<void> done = compute_->run(scores_.seconds_for(batch_), run, job);
-  if (!done) return done.error();
-  const double best = 2 * kPerfect * static_cast<double>(std::max<std::size_t>(1, samples()));
-  std::vector<double> means;
-  means.reserve(totals.size());
-  for (const std::uint64_t total : totals) means.push_back(static_cast<double>(total) / best);
-  return means;
+double SurfaceFitness::perfect_total() const {
+  return 2 * kPerfect * static_cast<double>(std::max<std::size_t>(1, samples()));
 }
 
 }  // namespace hewn

@@ -36,16 +36,18 @@ class SurfaceFitness {
   int primitives() const { return static_cast<int>(scores_.primitives()); }
   std::size_t samples() const { return scores_.samples(); }
 
-  /// For each genome, whose tokens are indices of primitives, the mean over the samples of
-  /// exp(-(distance / reach)^2) and the same of the angle, in [0, 1]; the same on every device.
-  /// Fails with: Cancelled. Cost: O(nodes x samples), shared by all workers.
-  Result<std::vector<double>> measure(std::span<const Genome* const> genomes,
-                                      const RunContext& run);
+  /// What trees are scored with: tokens are indices of primitives. A tree's total is the sum over
+  /// the samples of exp(-(distance / reach)^2) and the same of the angle, in shares of
+  /// `perfect_total`; the same on every device.
+  SurfaceScores& scores() { return scores_; }
+  /// Of a surface that passes through all samples with their normals.
+  double perfect_total() const;
+
+  Compute& compute() { return *compute_; }
 
  private:
   std::shared_ptr<Compute> compute_;
   SurfaceScores scores_;
-  TreeBatch batch_;
 };
 
 }  // namespace hewn

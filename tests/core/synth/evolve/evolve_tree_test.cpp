@@ -45,11 +45,15 @@ TEST_CASE("a surface fits the tree that it bounds, and no other as well") {
       {{1, 1, 2}, Vec3::UnitZ()}, {{2, 1, 1}, Vec3::UnitX()}, {{0, 1, 1}, -Vec3::UnitX()}};
   const SurfaceReach reach{0.1, 0.2};
   const RunContext run;
+  CpuDevice device(1);
   SurfaceFitness joined(boxes, of_union, reach, run);
   SurfaceFitness cut(boxes, of_difference, reach, run);
-  const auto score = [&run](SurfaceFitness& fitness, const Genome& genome) {
-    const Genome* const one[] = {&genome};
-    return fitness.measure(one, run)->at(0);
+  const auto score = [&](SurfaceFitness& fitness, const Genome& genome) {
+    TreeBatch batch;
+    batch.add(genome);
+    std::uint64_t total = 0;
+    REQUIRE(fitness.scores().measure(device, batch, std::span(&total, 1), run).has_value());
+    return static_cast<double>(total) / fitness.perfect_total();
   };
   const Genome both = {0, 1, kUnionToken};
   const Genome less = {0, 1, kDifferenceToken};

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "core/compute/kernels/breeding.h"
 #include "tests/core/synth/simplify/formula_fixture.h"
 #include "tests/gpu/failing_device.h"
 
@@ -28,12 +29,12 @@ TEST_CASE("a genome is the formula, and its parts are whole subtrees") {
     const Genome genome = genome_of(f);
     REQUIRE(static_cast<int>(genome.size()) == formula_size(f));
     REQUIRE(same_on(f, formula_of(genome), cells, cells.all()));
-    CHECK(subtree_begin(genome, genome.size() - 1) == 0);
+    CHECK(subtree_begin(genome.data(), static_cast<std::int32_t>(genome.size()) - 1) == 0);
   }
   for (int i = 0; i < 200; ++i) {
     const Genome genome = random_genome(4, 21, rng);
     CHECK(genome.size() <= 21);
-    CHECK(subtree_begin(genome, genome.size() - 1) == 0);
+    CHECK(subtree_begin(genome.data(), static_cast<std::int32_t>(genome.size()) - 1) == 0);
   }
 }
 
