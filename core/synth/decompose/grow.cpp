@@ -211,7 +211,6 @@ TermGrower::Choice TermGrower::choose(const GrowRequest& request, bool preferred
     // The random factor is drawn only where it can matter.
     if (gain * (1 + request.noise) <= best.gain) continue;
     if (request.noise > 0) gain *= 1 + request.noise * (2 * rng.uniform() - 1);
-    if (gain <= 0) gain = 1e-9 * (left_.a - c.worth.kept.a);
     if (gain > best.gain) best = {gain, k, true};
   }
   return best;
