@@ -9,9 +9,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Measured on two cores: oneTBB's libraries, memory and first thread take the caller 3.4 ms and the
-/// other core 2. Two threads win as much back on loops of 7 ms; the rest is for cores that other
-/// programs share.
+/// Measured on two cores: oneTBB's libraries, memory and first thread take the caller 3.4 ms and
+/// the other core 2. Two threads win as much back on loops of 7 ms; the rest is for cores that
+/// other programs share.
 #ifdef HEWN_SANITIZED
 constexpr Clock::duration kBeginning{};  // there, loops are short and threads the point
 #else
