@@ -1,8 +1,6 @@
 #include "core/synth/optimise.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -12,64 +10,19 @@
 #include "core/csg/protrude.h"
 #include "core/csg/tree_inside.h"
 #include "core/csg/tree_ray.h"
+#include "core/synth/formula_search.h"
 #include "core/synth/free_cells.h"
+#include "core/synth/inside_diagonal.h"
 #include "core/synth/rebuild/boundary.h"
 #include "core/synth/rebuild/second_start.h"
 #include "core/synth/simplify/derived_literals.h"
-#include "core/synth/simplify/dominant.h"
 #include "core/synth/simplify/exchange_literals.h"
 #include "core/synth/simplify/grow_overlaps.h"
+#include "core/synth/stage_timer.h"
+#include "core/synth/tree_front.h"
 
 namespace hewn {
 namespace {
-
-/// Adds the time since its construction to a stage.
-class StageTimer {
- public:
-  StageTimer(std::vector<StageSeconds>& all, const char* stage) : all_(all), stage_(stage) {}
-  ~StageTimer() {
-    const std::chrono::duration<double> span = std::chrono::steady_clock::now() - start_;
-    for (StageSeconds& s : all_) {
-      if (s.stage != stage_) continue;
-      s.seconds += span.count();
-      return;
-    }
-    all_.push_back({stage_, span.count()});
-  }
-  StageTimer(const StageTimer&) = delete;
-  StageTimer& operator=(const StageTimer&) = delete;
-
- private:
-  std::vector<StageSeconds>& all_;
-  const char* stage_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-/// The diagonal of the solid, by lines through its cells; 0 when no cell is inside. Boxes of trees
-/// with redundant parts can be far larger than their solids.
-double diagonal_of_inside(const Tree& tree, const Arrangement& arrangement, const Column& inside) {
-  constexpr std::size_t kMostPoints = 500;
-  std::vector<Vec3> points;
-  for_each_bit(inside, [&](std::size_t c) {
-    if (c < arrangement.size()) points.push_back(arrangement.points[c]);
-  });
-  const TreeRays rays(tree);
-  TreeRayScratch scratch;
-  Box3 box;
-  const double reach = 4 * arrangement.scale;
-  const std::size_t step = 1 + points.size() / kMostPoints;
-  for (std::size_t i = 0; i < points.size(); i += step) {
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 from = points[i] - reach * Vec3::Unit(k);
-      for (const TreeInterval& s : rays.cast(from, Vec3::Unit(k), scratch)) {
-        if (!std::isfinite(s.enter.t) || !std::isfinite(s.leave.t)) continue;
-        box.extend(from + s.enter.t * Vec3::Unit(k));
-        box.extend(from + s.leave.t * Vec3::Unit(k));
-      }
-    }
-  }
-  return box.diagonal();
-}
 
 /// Many literals see each other's cells, so that each needs fewer lines.
 ArrangementOptions lines_for(ArrangementOptions options, std::size_t literals) {
@@ -119,10 +72,10 @@ class Optimiser {
       auto good = check(*found, round);
       if (!good) return good.error();
       if (*good && is_near_enough()) return finish(*found);
-      if (*good && least_proximity_ > 0) break;
+      if (*good && aims_.least_proximity > 0) break;
       if (*good) {
         // Once more, with proximity as the first aim.
-        least_proximity_ = proximity_before();
+        aims_.least_proximity = proximity_before();
         fallback_ = {*found, derived_, proved_, out_.equivalence};
         continue;
       }
@@ -162,7 +115,7 @@ class Optimiser {
     StageTimer timer(out_.seconds, "rebuild");
     const Arrangement& a = sampler_.arrangement();
     second_.emplace(input_, a.points, a.scale, depth(), run_);
-    least_literals_ = second_->least_literals();
+    aims_.least_literals = second_->least_literals();
     if (is_hardly_larger_than_needed()) second_.reset();
   }
 
@@ -208,8 +161,8 @@ class Optimiser {
     const int leaves = leaf_count(without_redundancy(input_formula(), cells, cells.all(), run_));
     // Rewriting finds about a tenth more.
     most_rebuilt_ = leaves + leaves / 8;
-    if (least_literals_ == 0) return false;
-    return kShareWorthBuilding * (leaves - least_literals_) < leaves;
+    if (aims_.least_literals == 0) return false;
+    return kShareWorthBuilding * (leaves - aims_.least_literals) < leaves;
   }
 
   /// The smaller of two formulas.
@@ -269,53 +222,16 @@ class Optimiser {
     if (options_.method == OptimiseMethod::Redundancy) return f;
     {
       StageTimer timer(out_.seconds, "search");
-      auto rebuilt = options_.method == OptimiseMethod::Rewrite
-                         ? rewritten(std::move(f), cells, cared)
-                         : pieced(std::move(f), cells, cared);
-      if (!rebuilt) return rebuilt;
-      f = std::move(*rebuilt);
+      auto found = search_formula(std::move(f), cells, cared, options_, aims_, run_);
+      if (!found) return found.error();
+      f = std::move(found->formula);
+      out_.remaining_literals = found->remaining_literals;
+      out_.qubo = std::move(found->qubo);
     }
     StageTimer timer(out_.seconds, "redundancy");
     f = without_redundancy(std::move(f), cells, cared, run_);
     if (options_.method != OptimiseMethod::Rewrite) return f;
     return exchange_literals(std::move(f), cells, cared, run_);
-  }
-
-  Result<Formula> rewritten(Formula f, const CellColumns& cells, const Column& cared) const {
-    RewriteOptions rewrite = options_.remaining.rewrite;
-    rewrite.steps_per_literal *= options_.effort;
-    rewrite.most_steps *= options_.effort;
-    rewrite.most_work *= options_.effort;
-    rewrite.least_proximity = least_proximity_;
-    rewrite.least_literals = least_literals_;
-    Formula best = rewrite_search(f, cells, cared, rewrite, run_);
-    // From far off, as from an inflated tree, a disjunctive form can be the better start.
-    constexpr std::size_t kMostCells = 2000;
-    if (cells.cells() > kMostCells || leaf_count(best) <= least_literals_) return best;
-    const Decomposition d = decompose(std::move(f), cells, cared, run_);
-    auto rest = rebuild_remaining(RemainingMethod::Espresso, d.rest, cells, d.care, {}, run_);
-    if (!rest) return rest;
-    Formula other = recomposed(d, std::move(*rest));
-    if (leaf_count(other) > 2 * leaf_count(best)) return best;
-    other = rewrite_search(std::move(other), cells, cared, rewrite, run_);
-    return leaf_count(other) < leaf_count(best) ? other : best;
-  }
-
-  /// The paper's way: decompose, rebuild what remains, put it back.
-  Result<Formula> pieced(Formula f, const CellColumns& cells, const Column& cared) {
-    Decomposition d = decompose(std::move(f), cells, cared, run_);
-    out_.remaining_literals = leaf_count(d.rest);
-    if (options_.wants_qubo) {
-      const TwoLevelProblem problem = two_level_problem(d.rest, cells, d.care);
-      const auto primes = prime_implicants(problem, options_.remaining.two_level, run_);
-      out_.qubo = qubo_to_json(qubo_of(covering_problem(primes, problem)));
-    }
-    auto rebuilt = rebuild_remaining(remaining_method(options_.method), d.rest, cells, d.care,
-                                     options_.remaining, run_);
-    if (!rebuilt) return rebuilt;
-    // A disjunctive form may be longer than what was there.
-    const bool is_longer = leaf_count(*rebuilt) > leaf_count(d.rest);
-    return recomposed(d, is_longer ? d.rest : std::move(*rebuilt));
   }
 
   /// Whether `found` holds on cells and points that the search has not seen. Those where it does
@@ -438,36 +354,21 @@ class Optimiser {
     for (const ThinFeature& f : out_.thin_features) out_.changed_cells += f.cells;
     out_.tolerated_cells = free_.count();
     if (options_.wants_front && !found.is_constant()) {
-      if (auto done = find_front(found, cells); !done) return done.error();
+      if (auto done = add_front(found, cells); !done) return done.error();
     }
     return std::move(out_);
   }
 
-  /// Evolves from the tree found and from the input; what claims to be the same solid has to stand
-  /// the same test as the tree itself.
-  Result<void> find_front(const Formula& found, const CellColumns& cells) {
+  /// Evolves from the tree found and from the input.
+  Result<void> add_front(const Formula& found, const CellColumns& cells) {
     StageTimer timer(out_.seconds, "front");
-    std::vector<Genome> starts = {genome_of(found)};
+    FrontStart start{out_.tree, {found}, all_literals(), cells, options_.equivalence};
     const Formula input = input_formula();
-    if (options_.tolerance <= 0 && !input.is_constant()) starts.push_back(genome_of(input));
-    Formula wanted = found;
-    evaluate(wanted, cells);
-    const auto evolved =
-        evolve(starts, cells, wanted.value, cells.all(), options_.remaining.genetic, run_);
-    if (!evolved) return evolved.error();
-    EquivalenceOptions test = options_.equivalence;
-    test.scale = sampler_.arrangement().scale;
-    for (const ParetoMember& m : evolved->front) {
-      FrontMember member{to_tree(formula_of(m.genome), all_literals(), cells), m.geometry, m.size,
-                         m.proximity};
-      member.size = tree_size(member.tree);
-      if (m.geometry >= 1) {
-        const auto compared = compare_trees(out_.tree, member.tree, test, run_);
-        if (!compared) return compared.error();
-        if (!compared->is_same()) continue;
-      }
-      out_.front.push_back(std::move(member));
-    }
+    if (options_.tolerance <= 0 && !input.is_constant()) start.formulas.push_back(input);
+    start.equivalence.scale = sampler_.arrangement().scale;
+    auto front = find_front(start, options_.remaining.genetic, run_);
+    if (!front) return front.error();
+    out_.front = std::move(*front);
     return {};
   }
 
@@ -484,8 +385,7 @@ class Optimiser {
   ArrangementSampler sampler_;
   std::vector<DerivedLiteral> derived_;
   GrownTree proved_;  ///< what the last proof was about
-  double least_proximity_ = 0;
-  int least_literals_ = 0;  ///< of any tree of the solid; 0: unknown
+  FormulaAims aims_;
   struct Proved {
     Formula formula;
     std::vector<DerivedLiteral> derived;
