@@ -22,7 +22,7 @@ struct DeviceGrain {
   static constexpr int kRows = 1;
   static constexpr int kWords = 2;
   static constexpr int kBlock = 2;
-  static constexpr int kSamples = 4;
+  static constexpr int kSamples = 8;
   static constexpr int kFitLanes = 1;
   static constexpr int kGroup = 32;  ///< a warp
 };

@@ -21,7 +21,7 @@ struct SurfaceScoreKernel {
   std::uint64_t* totals = nullptr;        ///< out, one a tree; 0 at first
 
   static constexpr std::int64_t kSampleBlock = 64;
-  static constexpr std::uint32_t kLargestScore = std::uint32_t{1} << 24;
+  static constexpr std::uint32_t kLargestScore = (std::uint32_t{1} << 24) - 1;
 
   template <class Grain>
   HEWN_HD std::int64_t items() const {
@@ -52,6 +52,8 @@ struct SurfaceScoreKernel {
       if (step.is_kept != 0) work[step.target] = last;
     }
     if (tree.value != kPreviousResult) fetch(tree.value, row, work, last);
+    // What a group adds up in one step.
+    static_assert(std::uint64_t{Grain::kSamples} * Grain::kGroup * kLargestScore <= 0xffffffffu);
     std::uint32_t total = 0;
     for (int r = 0; r < Grain::kSamples; ++r) total += scores[last.source[r] * samples + row + r];
     sum_into(totals + index, total);
