@@ -3,7 +3,7 @@
 #include <cuda_runtime.h>
 
 #include "core/compute/kernels/kernels.h"
-#include "gpu/cuda_device.h"
+#include "gpu/cuda_module.h"
 #include "gpu/pinned_stage.h"
 
 namespace hewn {
@@ -40,10 +40,11 @@ Error error_of(cudaError_t code, const std::string& device) {
 
 class CudaDevice final : public Device {
  public:
-  CudaDevice(int index, const cudaDeviceProp& properties, std::size_t memory_budget)
+  CudaDevice(int index, const cudaDeviceProp& properties, std::size_t memory_budget, ChunkLoop loop)
       : info_{properties.name, true, memory_budget},
         index_(index),
-        most_blocks_(properties.multiProcessorCount * kBlocksPerMultiprocessor) {}
+        most_blocks_(properties.multiProcessorCount * kBlocksPerMultiprocessor),
+        stage_(loop) {}
 
   const DeviceInfo& info() const override { return info_; }
 
@@ -146,9 +147,7 @@ cudaError_t keep_freed_memory(int index) {
   return cudaMemPoolSetAttribute(pool, cudaMemPoolAttrReleaseThreshold, &everything);
 }
 
-}  // namespace
-
-Result<std::unique_ptr<Device>> open_cuda_device(int index) {
+Result<std::unique_ptr<Device>> open_device(int index, ChunkLoop loop) {
   int count = 0;
   cudaError_t code = cudaGetDeviceCount(&count);
   // "No driver", "driver too old" and "no GPU" have messages of their own.
@@ -173,7 +172,14 @@ Result<std::unique_ptr<Device>> open_cuda_device(int index) {
   if (code == cudaSuccess) code = keep_freed_memory(index);
   if (code != cudaSuccess) return error_of(code, properties.name);
   const auto budget = static_cast<std::size_t>(static_cast<double>(free_bytes) * kBudgetShare);
-  return std::unique_ptr<Device>(new CudaDevice(index, properties, budget));
+  return std::unique_ptr<Device>(new CudaDevice(index, properties, budget, loop));
 }
 
+}  // namespace
 }  // namespace hewn
+
+/// What `open_cuda_device` looks up.
+extern "C" __attribute__((visibility("default"))) const hewn::CudaFunctions* hewn_cuda_functions() {
+  static constexpr hewn::CudaFunctions kFunctions{hewn::open_device};
+  return &kFunctions;
+}

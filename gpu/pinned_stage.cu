@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/compute/parallel.h"
 #include "gpu/pinned_stage.h"
 
 namespace hewn {
@@ -14,12 +13,6 @@ constexpr std::size_t kHalfBytes = std::size_t{32} << 20;
 constexpr int kCopyThreads = 8;
 constexpr std::size_t kPieceBytes = std::size_t{1} << 20;
 
-void copy_in_parallel(char* to, const char* from, std::size_t bytes) {
-  for_each_chunk(kCopyThreads, bytes, kPieceBytes, [&](std::size_t begin, std::size_t end) {
-    std::memcpy(to + begin, from + begin, end - begin);
-  });
-}
-
 }  // namespace
 
 PinnedStage::~PinnedStage() {
@@ -27,6 +20,12 @@ PinnedStage::~PinnedStage() {
     if (event != nullptr) cudaEventDestroy(event);
   }
   if (memory_ != nullptr) cudaFreeHost(memory_);
+}
+
+void PinnedStage::copy(char* to, const char* from, std::size_t bytes) const {
+  loop_(kCopyThreads, bytes, kPieceBytes, [&](std::size_t begin, std::size_t end) {
+    std::memcpy(to + begin, from + begin, end - begin);
+  });
 }
 
 char* PinnedStage::half(std::size_t chunk) const { return memory_ + chunk % 2 * kHalfBytes; }
@@ -53,7 +52,7 @@ cudaError_t PinnedStage::upload(void* to, const void* from, std::size_t bytes) {
     const std::size_t size = std::min(kHalfBytes, bytes - begin);
     code = cudaEventSynchronize(copied_[chunk % 2]);
     if (code != cudaSuccess) break;
-    copy_in_parallel(half(chunk), static_cast<const char*>(from) + begin, size);
+    copy(half(chunk), static_cast<const char*>(from) + begin, size);
     code = cudaMemcpyAsync(static_cast<char*>(to) + begin, half(chunk), size,
                            cudaMemcpyHostToDevice, cudaStreamPerThread);
     if (code == cudaSuccess) code = cudaEventRecord(copied_[chunk % 2], cudaStreamPerThread);
@@ -79,8 +78,7 @@ cudaError_t PinnedStage::download(void* to, const void* from, std::size_t bytes)
     const std::size_t arrived = chunk - 1;
     code = cudaEventSynchronize(copied_[arrived % 2]);
     if (code != cudaSuccess) break;
-    copy_in_parallel(static_cast<char*>(to) + arrived * kHalfBytes, half(arrived),
-                     size_of(arrived));
+    copy(static_cast<char*>(to) + arrived * kHalfBytes, half(arrived), size_of(arrived));
   }
   return code;
 }

@@ -5,6 +5,8 @@
 
 #include <cuda_runtime.h>
 
+#include "gpu/cuda_module.h"
+
 namespace hewn {
 
 /// GPUs reach pinned memory several times faster than other memory. Two halves of it take turns:
@@ -14,7 +16,8 @@ class PinnedStage {
   /// Smaller copies gain nothing.
   static constexpr std::size_t kLeastBytes = std::size_t{4} << 20;
 
-  PinnedStage() = default;
+  /// `loop` has the processor's threads copy.
+  explicit PinnedStage(ChunkLoop loop) : loop_(loop) {}
   PinnedStage(const PinnedStage&) = delete;
   PinnedStage& operator=(const PinnedStage&) = delete;
   ~PinnedStage();
@@ -26,8 +29,10 @@ class PinnedStage {
 
  private:
   cudaError_t prepare();
+  void copy(char* to, const char* from, std::size_t bytes) const;
   char* half(std::size_t chunk) const;
 
+  ChunkLoop loop_;
   std::mutex mutex_;
   char* memory_ = nullptr;
   cudaEvent_t copied_[2] = {nullptr, nullptr};  ///< by the GPU, each half
