@@ -3,12 +3,24 @@
 #include <algorithm>
 #include <thread>
 
+#include <sched.h>
+
 #include "core/compute/busy_threads.h"
 #include "core/compute/first_loops.h"
 #include "core/compute/fork_join.h"
 #include "core/compute/thread_pool.h"
 
 namespace hewn {
+namespace {
+
+/// Those that this process may use, as oneTBB counts them; it would have to be loaded to tell.
+int available_cores() {
+  cpu_set_t cores;
+  if (::sched_getaffinity(0, sizeof(cores), &cores) == 0) return CPU_COUNT(&cores);
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}  // namespace
 
 void for_each_chunk(int threads, std::size_t n, std::size_t grain,
                     const std::function<void(std::size_t, std::size_t)>& body) {
@@ -33,7 +45,7 @@ void for_each_chunk(int threads, std::size_t n, std::size_t grain,
 
 int worker_count(int threads) {
   if (threads == 1) return 1;
-  static const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  static const int cores = available_cores();
   return threads <= 0 ? cores : std::min(threads, cores);
 }
 
