@@ -9,4 +9,12 @@ namespace hewn {
 /// loader looks, and stays loaded. Fails with: Internal, whose message is the loader's reason.
 Result<void*> module_symbol(const char* file, const char* symbol);
 
+/// What the library's function `symbol`, a `const Functions* ()`, returns. Fails with: the same.
+template <class Functions>
+Result<const Functions*> module_functions(const char* file, const char* symbol) {
+  const Result<void*> address = module_symbol(file, symbol);
+  if (!address) return address.error();
+  return reinterpret_cast<const Functions* (*)()>(*address)();
+}
+
 }  // namespace hewn

@@ -1,4 +1,4 @@
-/// For builds where the leak checker, or a machine with little else, wants oneTBB from the start.
+/// For builds with sanitizers, which want oneTBB from the start (core/compute/CMakeLists.txt).
 #include "core/compute/thread_pool.h"
 
 extern "C" const hewn::ThreadPool* hewn_thread_pool();

@@ -8,12 +8,11 @@ namespace hewn {
 namespace {
 
 const ThreadPool* load() {
-  using Symbol = const ThreadPool* (*)();
-  const Result<void*> symbol = module_symbol(kThreadsLibrary, kThreadsSymbol);
-  if (symbol) return reinterpret_cast<Symbol>(*symbol)();
+  const auto pool = module_functions<ThreadPool>(kThreadsLibrary, kThreadsSymbol);
+  if (pool) return *pool;
   throw std::runtime_error(
       "more than one thread needs a part of the program that cannot be loaded (" +
-      symbol.error().message + "); keep " + kThreadsLibrary +
+      pool.error().message + "); keep " + kThreadsLibrary +
       " beside the program, or use one thread");
 }
 

@@ -7,12 +7,11 @@
 namespace hewn {
 
 Result<const BrepFunctions*> brep_functions() {
-  using Symbol = const BrepFunctions* (*)();
-  const Result<void*> symbol = module_symbol(kBrepLibrary, kBrepSymbol);
-  if (symbol) return reinterpret_cast<Symbol>(*symbol)();
+  const auto functions = module_functions<BrepFunctions>(kBrepLibrary, kBrepSymbol);
+  if (functions) return functions;
   return Error{ErrorCode::Internal,
                "the part of the program that needs OpenCASCADE cannot be loaded (" +
-                   symbol.error().message + "); keep " + kBrepLibrary +
+                   functions.error().message + "); keep " + kBrepLibrary +
                    " beside the program, or export OpenSCAD or JSON",
                "boundary representation"};
 }
