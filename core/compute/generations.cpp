@@ -8,7 +8,7 @@
 
 namespace hewn {
 
-Result<void> Generations::allocate(std::size_t trees) {
+Result<void> Generations::check_room(std::size_t trees) const {
   constexpr std::size_t kBytesOfTree =
       2 * (kMostTokens * sizeof(Token) + sizeof(std::int32_t) + sizeof(std::uint64_t)) +
       sizeof(TreeSpan) + kMostTokens * sizeof(TreeStep);
@@ -17,31 +17,29 @@ Result<void> Generations::allocate(std::size_t trees) {
   if (info.is_accelerator && trees * kBytesOfTree > info.memory_budget / 2) {
     return Error{ErrorCode::OutOfMemory, "too many trees for its memory", info.name};
   }
-  DeviceJob job(device_);
-  for (Rows* rows : {&own_, &next_}) {
-    rows->tokens = job.allocate<Token>(trees * kMostTokens);
-    rows->sizes = job.allocate<std::int32_t>(trees);
-    rows->totals = job.allocate_filled<std::uint64_t>(trees, 0);
-  }
-  spans_ = job.allocate<TreeSpan>(trees);
-  steps_ = job.allocate<TreeStep>(trees * kMostTokens);
-  return job.result();
+  return {};
 }
 
 Result<void> Generations::begin(std::span<const std::vector<Token>> trees, const RunContext& run) {
-  sizes_.assign(trees.size(), 0);
-  totals_.assign(trees.size(), 0);
-  if (Result<void> done = allocate(trees.size()); !done) return done;
-  std::vector<Token> tokens(trees.size() * kMostTokens);
-  for (std::size_t t = 0; t < trees.size(); ++t) {
+  const std::size_t count = trees.size();
+  if (Result<void> done = check_room(count); !done) return done;
+  sizes_.assign(count, 0);
+  totals_.assign(count, 0);
+  std::vector<Token> tokens(count * kMostTokens);
+  for (std::size_t t = 0; t < count; ++t) {
     HEWN_ASSERT(!trees[t].empty() && trees[t].size() <= kMostTokens, "no room for a tree");
     std::copy(trees[t].begin(), trees[t].end(),
               tokens.begin() + static_cast<std::ptrdiff_t>(t * kMostTokens));
     sizes_[t] = static_cast<std::int32_t>(trees[t].size());
   }
   DeviceJob job(device_);
-  own_.tokens = job.upload(std::span<const Token>(tokens));
-  own_.sizes = job.upload(std::span<const std::int32_t>(sizes_));
+  own_ = {job.upload(std::span<const Token>(tokens)),
+          job.upload(std::span<const std::int32_t>(sizes_)),
+          job.allocate_filled<std::uint64_t>(count, 0)};
+  next_ = {job.allocate<Token>(count * kMostTokens), job.allocate<std::int32_t>(count),
+           job.allocate<std::uint64_t>(count)};
+  spans_ = job.allocate<TreeSpan>(count);
+  steps_ = job.allocate<TreeStep>(count * kMostTokens);
   if (job.has_failed()) return job.result();
   return score_from(0, run);
 }

@@ -46,7 +46,7 @@ class Generations {
     DeviceBuffer<std::uint64_t> totals;
     TreeRows view() const { return {tokens.data(), sizes.data(), totals.data()}; }
   };
-  Result<void> allocate(std::size_t trees);
+  Result<void> check_room(std::size_t trees) const;
   Result<void> score_from(std::size_t first, const RunContext& run);
 
   Device& device_;

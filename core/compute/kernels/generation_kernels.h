@@ -28,6 +28,11 @@ struct TreeWorth {
   }
 };
 
+/// Whether tree `a` is better than `b`; of equal ones the first is.
+HEWN_HD bool is_better(double score_a, std::int32_t a, double score_b, std::int32_t b) {
+  return score_a > score_b || (score_a == score_b && a < b);
+}
+
 /// The next generation: the elite as it is, then children. One item is one tree, with random
 /// numbers of its own.
 struct BreedKernel {
@@ -61,14 +66,12 @@ struct BreedKernel {
   }
 
  private:
-  /// The parents, of equal ones the first the better.
+  /// The parents, as `breed` asks for them.
   struct Ranked {
     const BreedKernel& kernel;
     HEWN_HD std::size_t size() const { return static_cast<std::size_t>(kernel.tree_count); }
     HEWN_HD bool is_better(std::int32_t a, std::int32_t b) const {
-      const double score_a = score(a);
-      const double score_b = score(b);
-      return score_a > score_b || (score_a == score_b && a < b);
+      return hewn::is_better(score(a), a, score(b), b);
     }
     HEWN_HD const Token* tokens(std::int32_t i) const { return kernel.parents.row(i).tokens; }
     HEWN_HD std::int32_t token_count(std::int32_t i) const { return kernel.parents.sizes[i]; }

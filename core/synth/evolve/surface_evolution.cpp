@@ -97,15 +97,14 @@ class SurfaceEvolution {
     return std::min(static_cast<std::size_t>(options_.elite), trees.size());
   }
 
-  /// The places of the best trees, the best first; of equal ones the first is better.
+  /// The places of the best trees, the best first.
   static std::vector<std::int32_t> best_of(const Generations& trees, std::size_t count) {
     std::vector<std::int32_t> order(trees.size());
     std::iota(order.begin(), order.end(), 0);
     const auto end = order.begin() + static_cast<std::ptrdiff_t>(count);
     std::partial_sort(order.begin(), end, order.end(), [&](std::int32_t a, std::int32_t b) {
-      const double score_a = trees.score(static_cast<std::size_t>(a));
-      const double score_b = trees.score(static_cast<std::size_t>(b));
-      return score_a > score_b || (score_a == score_b && a < b);
+      return is_better(trees.score(static_cast<std::size_t>(a)), a,
+                       trees.score(static_cast<std::size_t>(b)), b);
     });
     order.resize(count);
     return order;
