@@ -1,12 +1,12 @@
 /// The end-to-end table: every part through segmentation, fitting and search, with times per stage.
 ///
-///   end_to_end [--threads N] [--device NAME] [--seed N] [--out DIR] [--evolve] [--set
-///   OPTION=NUMBER]
-///              MESH...
+///   end_to_end [OPTION]... MESH...
 ///
-/// `--evolve` takes the published genetic search. `--set` takes the options of the tree search, for
-/// measuring what each is worth. A GPU stays open from one part to the next: a part named twice
-/// tells what opening it costs. The last line has the sums and the peak memory.
+///   --threads N, --device NAME, --seed N, --out DIR, --evolve, --set NAME=NUMBER
+///
+/// `--evolve` takes the published genetic search. `--set` takes the options of either
+/// search, for measuring what each is worth. A GPU stays open from one part to the next: a part
+/// named twice tells what opening it costs. The last line has the sums and the peak memory.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -153,8 +153,9 @@ int main(int argc, char** argv) {
       setup.out = argv[++i];
     } else if (arg == "--set" && i + 1 < argc) {
       const char* assignment = argv[++i];
-      if (!hewn::set_option(setup.search, assignment) &
-          !hewn::set_option(setup.evolution, assignment)) {
+      const bool is_of_list = hewn::set_option(setup.search, assignment);
+      const bool is_of_evolution = hewn::set_option(setup.evolution, assignment);
+      if (!is_of_list && !is_of_evolution) {
         fmt::print(stderr, "no such option: {}\n", assignment);
         return 2;
       }

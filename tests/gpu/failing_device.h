@@ -3,6 +3,8 @@
 #include <memory>
 #include <utility>
 
+#include <doctest/doctest.h>
+
 #include "core/compute/compute.h"
 #include "core/compute/cpu_device.h"
 
@@ -60,6 +62,22 @@ inline OpenDevice opens(FailingDevice*& opened, int good_calls, const Error& err
     opened = device.get();
     return {std::move(device)};
   };
+}
+
+/// Calls `work(compute, run)` with a device that is lost at its first call, then at its second, and
+/// so on until it is not lost any more. Each time nothing may be left on it.
+template <class Work>
+void lose_at_every_call(const Work& work) {
+  bool is_done = false;
+  for (int good_calls = 0; !is_done; ++good_calls) {
+    FailingDevice* device = nullptr;
+    Compute compute(1, {DeviceChoice::Kind::Cuda, 0}, opens(device, good_calls, kLost));
+    RunContext run;
+    is_done = true;
+    run.on_log = [&](const LogEntry& entry) { is_done &= entry.severity != Severity::Warning; };
+    work(compute, run);
+    REQUIRE(device->allocated() == 0);
+  }
 }
 
 }  // namespace hewn::testing

@@ -184,19 +184,11 @@ TEST_CASE("no fits are done at once, and data that determine nothing leave the g
 TEST_CASE("a device lost at any call leaves the same fits") {
   Rng rng(64);
   const std::vector<Fit> fits = random_fits(10, rng);
-  bool is_done = false;
-  for (int good_calls = 0; !is_done; ++good_calls) {
-    testing::FailingDevice* device = nullptr;
-    Compute compute(1, {DeviceChoice::Kind::Cuda, 0},
-                    testing::opens(device, good_calls, testing::kLost));
-    RunContext run;
-    is_done = true;
-    run.on_log = [&](const LogEntry& entry) { is_done &= entry.severity != Severity::Warning; };
+  testing::lose_at_every_call([&](Compute& compute, const RunContext& run) {
     FitBatch batch = batch_of(fits);
     REQUIRE(compute.run(1, run, [&](Device& d) { return batch.solve(d, run); }).has_value());
     check_same_as_alone(fits, batch);
-    REQUIRE(device->allocated() == 0);
-  }
+  });
 }
 
 TEST_CASE("a cancelled batch says so") {

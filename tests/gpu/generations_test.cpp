@@ -169,16 +169,8 @@ TEST_CASE("a device lost at any call leaves the same generations") {
   };
   Compute processor(1);
   const Trees known = bred_on(processor, {});
-  bool is_done = false;
-  for (int good_calls = 0; !is_done; ++good_calls) {
-    testing::FailingDevice* device = nullptr;
-    Compute compute(1, {DeviceChoice::Kind::Cuda, 0},
-                    testing::opens(device, good_calls, testing::kLost));
-    RunContext run;
-    is_done = true;
-    run.on_log = [&](const LogEntry& entry) { is_done &= entry.severity != Severity::Warning; };
-    REQUIRE(bred_on(compute, run) == known);
-  }
+  testing::lose_at_every_call(
+      [&](Compute& compute, const RunContext& run) { REQUIRE(bred_on(compute, run) == known); });
 }
 
 TEST_CASE("more trees than a device has memory for are refused before anything is allocated") {
