@@ -1,13 +1,12 @@
 #include "core/synth/inflate.h"
 
 #include <memory>
-#include <mutex>
 
 #include <fmt/format.h>
 
 #include "app/hewn/commands.h"
+#include "app/hewn/publish.h"
 #include "app/hewn/read_tree.h"
-#include "core/session/tree_file.h"
 
 namespace hewn {
 namespace {
@@ -21,21 +20,12 @@ Result<void> publish(const InflateFlags& flags, const Tree& tree, Environment& e
   TreeFileOptions options;
   options.part = std::filesystem::path(flags.input).stem().string();
   options.extend_tools = false;  // the very same solid
-  const auto content = tree_file(tree, flags.output, options, environment.run);
-  if (!content) return content.error();
-  const std::lock_guard lock(environment.interrupt->publishing());
-  if (environment.run.is_cancelled()) return RunContext::cancelled();
-  return write_tree_file(*content, flags.output);
+  return publish_tree(tree, flags.output, options, environment);
 }
 
 ExitCode run_inflate(const InflateFlags& flags, Environment& environment) {
-  if (auto known = check_tree_extension(flags.output); !known) {
-    return environment.fail(known.error());
-  }
-  if (flags.output != "-") {
-    if (auto possible = check_output(flags.output); !possible) {
-      return environment.fail(possible.error());
-    }
+  if (auto possible = check_outputs({flags.output}); !possible) {
+    return environment.fail(possible.error());
   }
   const auto tree = read_tree_file(flags.input, environment.run);
   if (!tree) return environment.fail(with_input(tree.error(), flags.input));

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <memory>
-#include <mutex>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/hewn/commands.h"
+#include "app/hewn/publish.h"
 #include "app/hewn/read_tree.h"
 #include "core/base/file.h"
 #include "core/io/json.h"
-#include "core/session/tree_file.h"
 
 namespace hewn {
 namespace {
@@ -132,19 +131,17 @@ Result<void> publish(const OptimiseFlags& flags, const OptimiseResult& result,
   TreeFileOptions options;
   options.part = std::filesystem::path(flags.input).stem().string();
   options.extend_tools = false;  // the very same solid
-  const auto content = tree_file(result.tree, flags.output, options, environment.run);
-  if (!content) return content.error();
-  const std::lock_guard lock(environment.interrupt->publishing());
-  if (environment.run.is_cancelled()) return RunContext::cancelled();
-  if (auto done = write_tree_file(*content, flags.output); !done) return done;
-  if (!flags.front.empty()) {
-    if (auto done = write_file(flags.front, front_json(result)); !done) return done;
-  }
-  if (!flags.qubo.empty()) {
-    if (auto done = write_file(flags.qubo, result.qubo); !done) return done;
-  }
-  if (flags.report.empty()) return {};
-  return write_file(flags.report, report_json(flags, result, environment.run.seed).dump(2) + "\n");
+  return publish_tree(result.tree, flags.output, options, environment, [&]() -> Result<void> {
+    if (!flags.front.empty()) {
+      if (auto done = write_file(flags.front, front_json(result)); !done) return done;
+    }
+    if (!flags.qubo.empty()) {
+      if (auto done = write_file(flags.qubo, result.qubo); !done) return done;
+    }
+    if (flags.report.empty()) return {};
+    const std::uint64_t seed = environment.run.seed;
+    return write_file(flags.report, report_json(flags, result, seed).dump(2) + "\n");
+  });
 }
 
 void print_thin_features(const std::vector<ThinFeature>& features) {
@@ -177,13 +174,8 @@ void print_summary(const OptimiseFlags& flags, const OptimiseResult& result) {
 }
 
 ExitCode run_optimise(const OptimiseFlags& flags, Environment& environment) {
-  if (auto known = check_tree_extension(flags.output); !known) {
-    return environment.fail(known.error());
-  }
-  for (const std::string& path : {flags.output, flags.report, flags.front, flags.qubo}) {
-    if (path.empty() || path == "-") continue;
-    if (auto possible = check_output(path); !possible) return environment.fail(possible.error());
-  }
+  const auto possible = check_outputs({flags.output, flags.report, flags.front, flags.qubo});
+  if (!possible) return environment.fail(possible.error());
   const auto tree = read_tree_file(flags.input, environment.run, kMostOptimisedLiterals);
   if (!tree) return environment.fail(with_input(tree.error(), flags.input));
   OptimiseOptions options;

@@ -1,16 +1,15 @@
 #include "core/session/reconstruct.h"
 
 #include <memory>
-#include <mutex>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/hewn/commands.h"
 #include "app/hewn/pictures.h"
+#include "app/hewn/publish.h"
 #include "core/base/file.h"
 #include "core/session/report.h"
-#include "core/session/tree_file.h"
 
 namespace hewn {
 namespace {
@@ -21,7 +20,6 @@ struct ReconstructFlags {
   SettingFlags settings;
 };
 
-/// All outputs are ready before the first is written; Ctrl-C cannot come between them.
 Result<void> publish(const ReconstructFlags& flags, const Project& project,
                      const Reconstruction& result, const std::optional<Image>& picture,
                      Environment& environment) {
@@ -30,19 +28,13 @@ Result<void> publish(const ReconstructFlags& flags, const Project& project,
   options.match_facets = flags.facets == "match";
   options.score = result.score;
   options.warnings = result.warnings;
-  auto tree = tree_file(result.tree, flags.output, options, environment.run);
-  if (!tree) return tree.error();
-  const std::lock_guard lock(environment.interrupt->publishing());
-  if (environment.run.is_cancelled()) return RunContext::cancelled();
-  if (auto done = write_tree_file(*tree, flags.output); !done) return done;
-  if (!flags.report.empty()) {
-    const std::string text = report_json(project, result).dump(2) + "\n";
-    if (auto done = write_file(flags.report, text); !done) return done;
-  }
-  if (picture) {
-    if (auto done = save_png(*picture, flags.picture); !done) return done;
-  }
-  return {};
+  return publish_tree(result.tree, flags.output, options, environment, [&]() -> Result<void> {
+    if (!flags.report.empty()) {
+      const std::string text = report_json(project, result).dump(2) + "\n";
+      if (auto done = write_file(flags.report, text); !done) return done;
+    }
+    return picture ? save_png(*picture, flags.picture) : Result<void>{};
+  });
 }
 
 void print_summary(const ReconstructFlags& flags, const Reconstruction& result) {
@@ -56,12 +48,8 @@ void print_summary(const ReconstructFlags& flags, const Reconstruction& result) 
 }
 
 ExitCode run_reconstruct(const ReconstructFlags& flags, Environment& environment) {
-  if (auto known = check_tree_extension(flags.output); !known) {
-    return environment.fail(known.error());
-  }
-  for (const std::string& path : {flags.output, flags.report, flags.picture}) {
-    if (path.empty() || path == "-") continue;
-    if (auto possible = check_output(path); !possible) return environment.fail(possible.error());
+  if (auto possible = check_outputs({flags.output, flags.report, flags.picture}); !possible) {
+    return environment.fail(possible.error());
   }
   auto project = project_for(flags.input, environment.flags, flags.settings);
   if (!project) return environment.fail(project.error());

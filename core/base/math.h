@@ -44,6 +44,21 @@ inline Tangents tangents(const Vec3& axis) {
   return {u, axis.cross(u)};
 }
 
+/// A right-handed frame whose last column is the unit vector `axis`; that of a coordinate axis
+/// consists of coordinate axes.
+inline Mat3 frame_about(const Vec3& axis) {
+  Mat3 frame;
+  for (int c = 0; c < 3; ++c) {
+    if (axis[c] > 1 - 1e-12) {
+      frame << Vec3::Unit((c + 1) % 3), Vec3::Unit((c + 2) % 3), Vec3::Unit(c);
+      return frame;
+    }
+  }
+  const Tangents t = tangents(axis);
+  frame << t.u, t.w, axis;
+  return frame;
+}
+
 /// The angle between two unit vectors, in [0, pi]; accurate for nearly parallel ones too.
 inline double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));

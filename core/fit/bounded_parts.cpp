@@ -55,18 +55,7 @@ Mat3 rotation_of(const Vec3& a, const Vec3& b, const Vec3& c) {
 Mat3 rotation_about(const Vec3& axis) {
   const int k = main_coordinate(axis);
   const Vec3 z = (axis[k] < 0 ? Vec3(-axis) : axis) + Vec3::Zero();
-  Mat3 rotation;
-  if (std::abs(z[k] - 1) < kParallel) {
-    rotation.col(0) = Vec3::Unit((k + 1) % 3);
-    rotation.col(1) = Vec3::Unit((k + 2) % 3);
-    rotation.col(2) = Vec3::Unit(k);
-    return rotation;
-  }
-  const Tangents t = tangents(z);
-  rotation.col(0) = t.u;
-  rotation.col(1) = t.w;
-  rotation.col(2) = z;
-  return rotation;
+  return frame_about(z);
 }
 
 std::vector<ParallelPlane> planes_across(const BoundedInput& input, const Vec3& direction) {

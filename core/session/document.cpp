@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/session/display_mesh.h"
 #include "core/session/report.h"
 #include "core/session/settings.h"
 
@@ -81,6 +82,22 @@ Result<Document> with_source(Document document, std::shared_ptr<const SegmentedM
   }
   document.source = std::move(source);
   return document;
+}
+
+Result<Document> read_source(const Document& document, const RunContext& run) {
+  Project plain = document.project;
+  plain.cuts.clear();
+  plain.merges.clear();
+  RunContext own = run;
+  own.seed = plain.seed;
+  auto read = segment_project(plain, own);
+  if (!read) return read.error();
+  return with_source(document, std::make_shared<const SegmentedMesh>(std::move(*read)), own);
+}
+
+void add_display(Document& document) {
+  if (!document.prepared || document.display) return;
+  document.display = std::make_shared<const DisplayMesh>(build_display_mesh(*document.prepared));
 }
 
 std::vector<GroupRef> refer_to(const PreparedMesh& prepared, const std::vector<int>& groups) {

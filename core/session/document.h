@@ -44,6 +44,13 @@ std::string source_key(const Project& project);
 Result<Document> with_source(Document document, std::shared_ptr<const SegmentedMesh> source,
                              const RunContext& run);
 
+/// The document with its mesh read and divided into groups, then as `with_source`.
+/// Fails as `segment_project` and `apply_edits` do.
+Result<Document> read_source(const Document& document, const RunContext& run);
+
+/// Makes the mesh for drawing, unless it is there or there are no groups yet. O(n log n).
+void add_display(Document& document);
+
 /// A reference to each group by a point on it.
 std::vector<GroupRef> refer_to(const PreparedMesh& prepared, const std::vector<int>& groups);
 

@@ -1,25 +1,16 @@
 #include "core/session/session.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "core/base/counted.h"
 #include "core/base/file.h"
 #include "core/compute/compute.h"
 #include "core/session/tree_file.h"
+#include "core/session/variants.h"
 
 namespace hewn {
 namespace {
-
-/// The newest results stay; each holds a few hundred kilobytes beside the shared mesh.
-constexpr std::size_t kMostResults = 64;
-constexpr std::size_t kMostNotes = 1000;
-
-std::string text_of(const Error& error) {
-  return error.where.empty() ? error.message : error.where + ": " + error.message;
-}
 
 /// Edits that make a new mesh or new groups.
 bool shapes_groups(const SessionCommand& command) {
@@ -39,6 +30,18 @@ Result<void> write_result(const FoundResult& result, const ExportTree& command,
   auto content = tree_file(result.found.tree, command.path, options, run);
   if (!content) return content.error();
   return write_tree_file(*content, command.path);
+}
+
+std::vector<PartProgress> progress_of(const Reconstruction& found) {
+  std::vector<PartProgress> parts;
+  for (const PartitionResult& p : found.partitions) {
+    parts.push_back({.name = p.name,
+                     .state = PartProgress::State::Done,
+                     .size = tree_size(p.answer.tree),
+                     .literals = literal_count(p.answer.tree),
+                     .error = 1 - p.answer.agreement});
+  }
+  return parts;
 }
 
 }  // namespace
@@ -74,7 +77,7 @@ Result<void> Session::execute(const SessionCommand& command) {
   }
   Result<void> done = carry_out(command);
   if (done) {
-    record(command);
+    journal_.record(command);
   } else {
     report(done.error());
   }
@@ -117,10 +120,7 @@ void Session::start_edit(const SessionCommand& command) {
              [this, command, number = ++edit_, document = document(), edition = history_.edition(),
               wants_display = wants_views_](const RunContext& run) -> JobCompletion {
                auto next = edited(document, command, run);
-               if (next && wants_display && next->prepared && !next->display) {
-                 next->display =
-                     std::make_shared<const DisplayMesh>(build_display_mesh(*next->prepared));
-               }
+               if (next && wants_display) add_display(*next);
                return [this, command, number, edition, outcome = std::move(next)]() mutable {
                  if (number == edit_) finish_edit(command, edition, std::move(outcome));
                };
@@ -135,7 +135,7 @@ void Session::finish_edit(const SessionCommand& command, std::uint64_t edition,
     waiting_.push_front(command);
   } else if (next) {
     history_.push(title_of(command), std::move(*next));
-    record(command);
+    journal_.record(command);
     plan_changed();
   } else {
     report(next.error());
@@ -248,23 +248,8 @@ void Session::start_reading() {
   jobs_.add("reading the mesh",
             [this, document = document(),
              wants_display = wants_views_](const RunContext& run) -> JobCompletion {
-              Project plain = document.project;
-              plain.cuts.clear();
-              plain.merges.clear();
-              RunContext own = run;
-              own.seed = plain.seed;
-              auto read = segment_project(plain, own);
-              Result<Document> next = Document{};
-              if (read) {
-                next = with_source(document,
-                                   std::make_shared<const SegmentedMesh>(std::move(*read)), own);
-              } else {
-                next = read.error();
-              }
-              if (next && wants_display) {
-                next->display =
-                    std::make_shared<const DisplayMesh>(build_display_mesh(*next->prepared));
-              }
+              auto next = read_source(document, run);
+              if (next && wants_display) add_display(*next);
               return [this, project = document.project, outcome = std::move(next)]() mutable {
                 adopt_source(project, std::move(outcome));
               };
@@ -347,28 +332,11 @@ Result<void> Session::start_search() {
 void Session::search_variants() {
   if (!document().is_ready()) return;
   for (const int job : std::exchange(variant_jobs_, {})) jobs_.cancel(job);
-  Project project = document().project;
-  project.edits.clear();  // other trees have other literals
-  const auto add = [this](const Project& variant, const std::string& name) {
-    if (!result_for(search_key(variant))) variant_jobs_.push_back(add_search(variant, name));
-  };
-  for (const int starts : {1, 8}) {
-    Project variant = project;
-    variant.settings.tree.starts = starts;
-    add(variant, counted(starts, "start", "starts"));
+  for (const Variant& v : hewn::search_variants(document().project)) {
+    if (!results_.find(search_key(v.project))) {
+      variant_jobs_.push_back(add_search(v.project, v.name));
+    }
   }
-  for (const int rounds : {0, 1}) {
-    Project variant = project;
-    variant.settings.tree.rounds = rounds;
-    variant.settings.tree.stray_rounds = 0;
-    add(variant, counted(rounds, "round", "rounds"));
-  }
-  Project narrow = project;
-  narrow.settings.tree.beam_width = 2;
-  add(narrow, "beam of 2");
-  Project brief = project;
-  brief.settings.tree.neighbourhood_steps = 200;
-  add(brief, "brief search");
 }
 
 void Session::adopt_draft(const DrawnResult& draft) {
@@ -378,14 +346,13 @@ void Session::adopt_draft(const DrawnResult& draft) {
 
 void Session::adopt_result(const DrawnResult& drawn) {
   const SharedResult& result = drawn.result;
-  std::erase_if(results_, [&result](const auto& r) { return r->key == result->key; });
-  results_.push_back(result);
-  if (results_.size() > kMostResults) results_.erase(results_.begin());
+  results_.keep(result);
   if (result->key == key() || !last_result_) last_result_ = result;
-  note(Severity::Info,
-       fmt::format("Found ({})  {} literals, size {}, proximity {:.3f}, {:.2f} s", result->source,
-                   literal_count(result->found.tree), tree_size(result->found.tree),
-                   result->found.score.proximity, result->seconds));
+  journal_.note(
+      Severity::Info,
+      fmt::format("Found ({})  {} literals, size {}, proximity {:.3f}, {:.2f} s", result->source,
+                  literal_count(result->found.tree), tree_size(result->found.tree),
+                  result->found.score.proximity, result->seconds));
   if (draft_.result && draft_.result->key == result->key) draft_ = {};
   if (!wants_views_) return;
   if (drawn.view) views_.put(result, drawn.view);
@@ -401,18 +368,13 @@ Result<void> Session::export_tree(const ExportTree& command) {
   jobs_.add("exporting",
             [this, command, ready, base = unedited_result(),
              document = document()](const RunContext& run) -> JobCompletion {
-              auto result =
-                  ready
-                      ? DrawnResult{ready, nullptr}
-                      : search_plan(
-                            {.document = document, .base = base, .source = "plan", .found = found_},
-                            run);
-              Result<void> done;
-              if (!result) {
-                done = result.error();
-              } else {
-                done = write_result(*result->result, command, run);
+              Result<DrawnResult> result = DrawnResult{ready, nullptr};
+              if (!ready) {
+                result = search_plan(
+                    {.document = document, .base = base, .source = "plan", .found = found_}, run);
               }
+              const Result<void> done =
+                  result ? write_result(*result->result, command, run) : result.error();
               return [this, result, done, path = command.path] {
                 ++revision_;
                 if (result && result->result != current_result()) adopt_result(*result);
@@ -436,39 +398,23 @@ const Session::Derived& Session::derived() const {
 }
 
 std::vector<PartProgress> Session::partition_progress() const {
-  if (const auto result = current_result()) {
-    std::vector<PartProgress> parts;
-    for (const PartitionResult& p : result->found.partitions) {
-      parts.push_back({.name = p.name,
-                       .state = PartProgress::State::Done,
-                       .size = tree_size(p.answer.tree),
-                       .literals = literal_count(p.answer.tree),
-                       .error = 1 - p.answer.agreement});
-    }
-    return parts;
-  }
+  if (const auto result = current_result()) return progress_of(result->found);
   return board_ && board_key_ == key() ? board_->parts() : std::vector<PartProgress>{};
 }
 
 const std::vector<PartitionView>& Session::partitions() const { return derived().partitions; }
 
-std::shared_ptr<const FoundResult> Session::result_for(const std::string& key) const {
-  const auto latest = std::find_if(results_.rbegin(), results_.rend(),
-                                   [&](const auto& result) { return result->key == key; });
-  return latest == results_.rend() ? nullptr : *latest;
-}
-
-std::shared_ptr<const FoundResult> Session::current_result() const { return result_for(key()); }
+SharedResult Session::current_result() const { return results_.find(key()); }
 
 /// The result that the plan's edits of literals start from; null without edits.
-std::shared_ptr<const FoundResult> Session::unedited_result() const {
+SharedResult Session::unedited_result() const {
   Project project = document().project;
   if (project.edits.empty()) return nullptr;
   project.edits.clear();
-  return result_for(search_key(project));
+  return results_.find(search_key(project));
 }
 
-std::shared_ptr<const FoundResult> Session::shown_result() const {
+SharedResult Session::shown_result() const {
   if (auto current = current_result()) return current;
   return shows_draft() ? draft_.result : last_result_;
 }
@@ -477,7 +423,7 @@ bool Session::shows_draft() const {
   return draft_.result && draft_.result->key == key() && !current_result();
 }
 
-void Session::preview(const std::shared_ptr<const FoundResult>& result) {
+void Session::preview(const SharedResult& result) {
   if (result == preview_ || !wants_views_) return;
   ++revision_;
   if (preview_job_ > 0) {
@@ -488,7 +434,7 @@ void Session::preview(const std::shared_ptr<const FoundResult>& result) {
   preview_job_ = views_.want(result, edits_);
 }
 
-std::shared_ptr<const FoundResult> Session::viewed_result() const {
+SharedResult Session::viewed_result() const {
   return preview_ && views_.find(preview_) ? preview_ : shown_result();
 }
 
@@ -536,31 +482,17 @@ std::shared_ptr<const DisplayMesh> Session::display() {
 
 void Session::notify(Severity severity, std::string text) {
   ++revision_;
-  const bool is_shown = std::any_of(notices_.begin(), notices_.end(),
-                                    [&text](const Notice& n) { return n.text == text; });
-  note(severity, text);
-  if (!is_shown) notices_.push_back({severity, std::move(text)});
-}
-
-void Session::record(const SessionCommand& command) {
-  const std::string line = command_to_line(command);
-  log_ += line + "\n";
-  note(Severity::Info, fmt::format("{}  {}", title_of(command), line));
-}
-
-void Session::note(Severity severity, std::string text) {
-  if (journal_.size() == kMostNotes) journal_.erase(journal_.begin());
-  journal_.push_back({severity, std::move(text)});
+  journal_.notify(severity, std::move(text));
 }
 
 void Session::dismiss(std::size_t notice) {
   ++revision_;
-  if (notice < notices_.size()) notices_.erase(notices_.begin() + static_cast<long>(notice));
+  journal_.dismiss(notice);
 }
 
 void Session::report(const Error& error) {
-  has_failed_ = true;
-  notify(Severity::Error, text_of(error));
+  ++revision_;
+  journal_.fail(error);
 }
 
 }  // namespace hewn

@@ -1,11 +1,9 @@
 #pragma once
 /// The working session behind a window or a replayed log: one document with its history, jobs,
 /// results, notices and the record of everything done. Knows no user interface.
-#include <chrono>
 #include <deque>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,17 +13,13 @@
 #include "core/session/found_partitions.h"
 #include "core/session/history.h"
 #include "core/session/job_queue.h"
+#include "core/session/journal.h"
 #include "core/session/part_board.h"
 #include "core/session/plan_search.h"
+#include "core/session/result_store.h"
 #include "core/session/result_views.h"
 
 namespace hewn {
-
-/// Something to tell the user until they dismiss it.
-struct Notice {
-  Severity severity = Severity::Info;
-  std::string text;
-};
 
 /// One thread owns a session; only the jobs run elsewhere.
 class Session {
@@ -77,19 +71,19 @@ class Session {
   void search_variants();
 
   /// All results for the mesh, oldest first.
-  const std::vector<std::shared_ptr<const FoundResult>>& results() const { return results_; }
+  const std::vector<SharedResult>& results() const { return results_.all(); }
   /// The result for the plan as it is; null when there is none yet.
-  std::shared_ptr<const FoundResult> current_result() const;
+  SharedResult current_result() const;
   /// The current result; while the plan has none, the best that its search has found on the way, or
   /// else the last one of another plan. Null when there is none at all.
-  std::shared_ptr<const FoundResult> shown_result() const;
+  SharedResult shown_result() const;
   /// Whether the shown result is one that was found on the way: a better one may follow.
   bool shows_draft() const;
   /// Looks at another result for now, as at a point of the Pareto front; null: no more. No command.
-  void preview(const std::shared_ptr<const FoundResult>& result);
+  void preview(const SharedResult& result);
   bool is_previewing() const { return preview_ != nullptr; }
   /// The result that is looked at, as soon as it can be drawn; else the shown one.
-  std::shared_ptr<const FoundResult> viewed_result() const;
+  SharedResult viewed_result() const;
   /// What is drawn of the viewed result; null until its job is done.
   std::shared_ptr<const ResultView> result_view() const;
   /// The partitions of the document with their groups; see `partition_views`.
@@ -103,16 +97,16 @@ class Session {
   /// Triangles and lines of the document's mesh; null while there is none.
   std::shared_ptr<const DisplayMesh> display();
 
-  const std::vector<Notice>& notices() const { return notices_; }
+  const std::vector<Notice>& notices() const { return journal_.notices(); }
   void notify(Severity severity, std::string text);
   void dismiss(std::size_t notice);
   /// What was done and said, oldest first: commands, and notices that were dismissed, too.
-  const std::vector<Notice>& journal() const { return journal_; }
+  const std::vector<Notice>& journal() const { return journal_.entries(); }
   /// Set by errors since the last call; a replay stops there.
-  bool take_failed() { return std::exchange(has_failed_, false); }
+  bool take_failed() { return journal_.take_failed(); }
 
   /// Everything done so far, one command a line; `replay` reads it.
-  const std::string& log() const { return log_; }
+  const std::string& log() const { return journal_.log(); }
   /// Grows with every change of document, results or notices.
   std::uint64_t revision() const { return revision_; }
 
@@ -132,12 +126,9 @@ class Session {
   void adopt_source(const Project& project, Result<Document> read);
   void adopt_draft(const DrawnResult& draft);
   void adopt_result(const DrawnResult& drawn);
-  std::shared_ptr<const FoundResult> result_for(const std::string& key) const;
-  std::shared_ptr<const FoundResult> unedited_result() const;
+  SharedResult unedited_result() const;
   int add_search(const Project& project, const std::string& source);
   void report(const Error& error);
-  void note(Severity severity, std::string text);
-  void record(const SessionCommand& command);
   const std::string& plan() const { return derived().plan; }
   const std::string& key() const { return derived().key; }
 
@@ -156,11 +147,11 @@ class Session {
   std::filesystem::path project_path_;
   std::string saved_plan_;
   bool is_live_ = false;
-  std::vector<std::shared_ptr<const FoundResult>> results_;
-  std::shared_ptr<const FoundResult> last_result_;
+  ResultStore results_;
+  SharedResult last_result_;
   DrawnResult draft_;  ///< of the search that runs
   ResultViews views_{[this](const Error& error) { report(error); }};
-  std::shared_ptr<const FoundResult> preview_;
+  SharedResult preview_;
   int preview_job_ = 0;
   bool wants_views_ = true;
   std::string failure_;
@@ -172,13 +163,11 @@ class Session {
   std::vector<int> variant_jobs_;
   std::shared_ptr<const PreparedMesh> display_of_;
   std::shared_ptr<const DisplayMesh> display_;
-  std::vector<Notice> notices_, journal_;
-  bool has_failed_ = false;
+  Journal journal_;
   bool has_background_edits_ = false;
   bool is_editing_ = false;
   int edit_ = 0;                        ///< number of the edit that counts
   std::deque<SessionCommand> waiting_;  ///< for the edit to be done
-  std::string log_;
   std::uint64_t revision_ = 1;
   JobQueue edits_;
   JobQueue jobs_;  ///< the queues come last: their workers must end before the rest goes

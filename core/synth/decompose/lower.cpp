@@ -33,24 +33,6 @@ struct Room {
   std::vector<Corners> within;  ///< of the solids that it is taken out of
 };
 
-/// Right-handed frame around an axis; that of a coordinate axis consists of coordinate axes.
-Mat3 frame_around(const Vec3& axis) {
-  Mat3 frame;
-  for (int c = 0; c < 3; ++c) {
-    if (axis[c] > 1 - 1e-12) {
-      frame.col(0) = Vec3::Unit((c + 1) % 3);
-      frame.col(1) = Vec3::Unit((c + 2) % 3);
-      frame.col(2) = Vec3::Unit(c);
-      return frame;
-    }
-  }
-  const Tangents t = tangents(axis);
-  frame.col(0) = t.u;
-  frame.col(1) = t.w;
-  frame.col(2) = axis;
-  return frame;
-}
-
 /// The axis with its largest component positive.
 Vec3 upright(const Vec3& axis) {
   int largest = 0;
@@ -268,7 +250,7 @@ class Lowering {
       });
       if (fits) axes.push_back(candidate);
     }
-    if (axes.size() == 1) axes.emplace_back(frame_around(axes[0]).col(0));
+    if (axes.size() == 1) axes.emplace_back(frame_about(axes[0]).col(0));
     if (axes.size() == 2) axes.emplace_back(axes[0].cross(axes[1]).normalized());
     return ordered(axes);
   }
@@ -341,7 +323,7 @@ class Lowering {
     }
     // A cone's axis points from its apex; the others may be turned.
     const Vec3 axis = s.kind == SurfaceKind::Cone ? s.axis : upright(s.axis);
-    out.rotation = frame_around(axis);
+    out.rotation = frame_about(axis);
     out.origin = out.rotation.transpose() * s.point;
     if (s.kind == SurfaceKind::Torus) {
       out.kind = SolidKind::Torus;
