@@ -13,19 +13,29 @@ namespace hewn {
 namespace {
 
 constexpr int kFewestSides = 5;
-constexpr int kMostSides = 12;
+constexpr int kMostSides = 14;
 constexpr double kSameAngleRad = 1e-3;  // the sides' own tolerances decide
 /// Of the inscribed radius: sides that are off by less are the prism's, however exact their fit.
 constexpr double kSameShare = 1e-4;
 constexpr double kFlush = 1e-7;        // of the diagonal
 constexpr long kMostTrials = 100'000;  // a part of many parallel planes in a star
 
-/// A plane side with its outward normal on one of the ring's directions.
+/// A plane side that faces along one of the ring's directions. Far from the origin the normal's
+/// last digits matter: it is the plane's own.
 struct Side {
   HalfspaceSide of;
+  Vec3 normal;  ///< unit, outward
   double offset = 0;
   double tolerance = 0;
+
+  double distance_from(const Vec3& point) const { return offset - normal.dot(point); }
 };
+
+Side side_of(const SurfaceSet& surfaces, const HalfspaceSide& side) {
+  const Halfspace& plane = surfaces.halfspaces[side.halfspace];
+  const double sign = side.inside ? 1 : -1;
+  return {side, sign * plane.surface.axis, sign * plane.surface.offset, plane.tolerance};
+}
 
 class PrismFinder {
  public:
@@ -77,18 +87,16 @@ class PrismFinder {
     const Vec3 u = (normal - axis * axis.dot(normal)).normalized();
     const Vec3 w = axis.cross(u);
     std::vector<std::vector<Side>> sides;
-    std::vector<Vec2> normals;
     for (int k = 0; k < n; ++k) {
       const double angle = 2 * kPi * k / n;
-      normals.emplace_back(std::cos(angle), std::sin(angle));
-      sides.push_back(sides_along(u * normals[k].x() + w * normals[k].y()));
+      sides.push_back(sides_along(u * std::cos(angle) + w * std::sin(angle)));
       if (sides.back().empty()) return;
     }
     for (const Side& a : sides[0]) {
       for (const Side& b : sides[1]) {
         for (const Side& c : sides[2]) {
           if (++trials_ > kMostTrials) return;
-          complete({a, b, c}, sides, normals, {u, w, axis});
+          complete({a, b, c}, sides, {u, w, axis});
         }
       }
     }
@@ -101,10 +109,8 @@ class PrismFinder {
       const double turn = direction.cross(outward).norm();
       if (turn > kSameAngleRad) continue;
       for (const int h : planes_of_[d]) {
-        const Halfspace& plane = surfaces_.halfspaces[h];
-        const bool inside = plane.surface.axis.dot(outward) > 0;
-        const double offset = inside ? plane.surface.offset : -plane.surface.offset;
-        sides.push_back({{h, inside}, offset, plane.tolerance});
+        const bool inside = surfaces_.halfspaces[h].surface.axis.dot(outward) > 0;
+        sides.push_back(side_of(surfaces_, {h, inside}));
       }
     }
     return sides;
@@ -116,35 +122,36 @@ class PrismFinder {
 
   /// The first three sides give centre and radius; the others have to agree.
   void complete(const std::vector<Side>& first, const std::vector<std::vector<Side>>& sides,
-                const std::vector<Vec2>& normals, const Axes& axes) {
+                const Axes& axes) {
     Mat3 equations;
     Vec3 offsets;
     for (int k = 0; k < 3; ++k) {
-      equations.row(k) << normals[k].x(), normals[k].y(), 1;
+      equations.row(k) << first[k].normal.dot(axes.u), first[k].normal.dot(axes.w), 1;
       offsets[k] = first[k].offset;
     }
     const Vec3 solution = equations.fullPivLu().solve(offsets);
     RegularPrism prism;
     prism.radius = solution.z();
     if (!(prism.radius > 0) || !solution.allFinite()) return;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-      const double expected = normals[k].dot(solution.head<2>()) + prism.radius;
-      const std::optional<Side> side = nearest(sides[k], expected, kSameShare * prism.radius);
-      if (!side) return;
-      prism.sides.push_back(side->of);
-    }
     prism.axis = axes.axis;
     prism.normal = axes.u;
     prism.center = axes.u * solution.x() + axes.w * solution.y();
+    for (const std::vector<Side>& alike : sides) {
+      const std::optional<Side> side = nearest(alike, prism);
+      if (!side) return;
+      prism.sides.push_back(side->of);
+    }
     if (is_within_tolerances(prism) && is_new(prism)) found_.push_back(std::move(prism));
   }
 
-  static std::optional<Side> nearest(const std::vector<Side>& sides, double offset, double same) {
+  static std::optional<Side> nearest(const std::vector<Side>& sides, const RegularPrism& prism) {
+    const auto misfit = [&prism](const Side& side) {
+      return std::abs(side.distance_from(prism.center) - prism.radius);
+    };
     const auto best =
-        std::min_element(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
-          return std::abs(a.offset - offset) < std::abs(b.offset - offset);
-        });
-    if (std::abs(best->offset - offset) > std::max(same, best->tolerance)) return std::nullopt;
+        std::min_element(sides.begin(), sides.end(),
+                         [&](const Side& a, const Side& b) { return misfit(a) < misfit(b); });
+    if (misfit(*best) > std::max(kSameShare * prism.radius, best->tolerance)) return std::nullopt;
     return *best;
   }
 
@@ -179,17 +186,11 @@ class PrismFinder {
   long trials_ = 0;
 };
 
-/// Of a side's plane, along its outward normal.
-double offset_of(const SurfaceSet& surfaces, const HalfspaceSide& side) {
-  const double offset = surfaces.halfspaces[side.halfspace].surface.offset;
-  return side.inside ? offset : -offset;
-}
-
 double largest_misfit(const RegularPrism& prism, const SurfaceSet& surfaces) {
   double largest = 0;
-  for (int k = 0; k < prism.count(); ++k) {
-    const double ideal = prism.side_normal(k).dot(prism.center) + prism.radius;
-    largest = std::max(largest, std::abs(offset_of(surfaces, prism.sides[k]) - ideal));
+  for (const HalfspaceSide& side : prism.sides) {
+    const double distance = side_of(surfaces, side).distance_from(prism.center);
+    largest = std::max(largest, std::abs(distance - prism.radius));
   }
   return largest;
 }
@@ -198,15 +199,15 @@ double largest_misfit(const RegularPrism& prism, const SurfaceSet& surfaces) {
 void fit_sides(RegularPrism& prism, const SurfaceSet& surfaces) {
   // The normals of a regular polygon sum to zero, their squares to half the number of sides.
   const double n = prism.count();
-  Vec3 center = Vec3::Zero();
+  Vec3 shift = Vec3::Zero();
   double radius = 0;
   for (int k = 0; k < prism.count(); ++k) {
-    const double offset = offset_of(surfaces, prism.sides[k]);
-    radius += offset / n;
-    center += prism.side_normal(k) * (offset * 2 / n);
+    const double distance = side_of(surfaces, prism.sides[k]).distance_from(prism.center);
+    radius += distance / n;
+    shift += prism.side_normal(k) * (distance * 2 / n);
   }
   prism.radius = radius;
-  prism.center = center;
+  prism.center += shift;
 }
 
 void round_sides(RegularPrism& prism, double tolerance) {

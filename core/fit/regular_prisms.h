@@ -20,7 +20,7 @@ struct RegularPrism {
   Vec3 side_normal(int k) const;
 };
 
-/// All regular prisms of 5 to 12 sides among the planes, those of more sides first. Four sides are
+/// All regular prisms of 5 to 14 sides among the planes, those of more sides first. Four sides are
 /// a box; any three planes at the right angles make a triangle, which is seldom meant and often
 /// flush with its neighbours. Every side is as near to the ideal one as its halfspace's tolerance
 /// or 1e-4 of the inscribed radius. Cost: cubic in the parallel planes of a direction, for

@@ -47,6 +47,29 @@ TEST_CASE("the sides of a turned, noisy prism are flush with the ideal one") {
   }
 }
 
+TEST_CASE("sides are compared where the prism is, not at the origin") {
+  const Vec3 center(60, 40, 0);
+  for (int sides = 5; sides <= 14; ++sides) {
+    CAPTURE(sides);
+    SurfaceSet surfaces;
+    for (int k = 0; k < sides; ++k) {
+      const double degrees = std::round(36000.0 * k / sides) / 100;  // rounded, as angles are
+      Halfspace h;
+      h.surface.axis = {std::cos(degrees * kPi / 180), std::sin(degrees * kPi / 180), 0};
+      h.surface.offset = h.surface.axis.dot(center) + 2;
+      h.tolerance = 1e-6;
+      h.direction = k;
+      surfaces.directions.push_back(h.surface.axis);
+      surfaces.halfspaces.push_back(h);
+    }
+    const auto prisms = find_regular_prisms(surfaces);
+    REQUIRE_FALSE(prisms.empty());
+    CHECK(prisms.front().count() == sides);
+    CHECK(prisms.front().radius == doctest::Approx(2).epsilon(1e-4));
+    CHECK((prisms.front().center - center).norm() < 1e-3);
+  }
+}
+
 TEST_CASE("settling moves nothing that is flush") {
   SurfaceSet surfaces = sides_of(6, 0.75, 0);
   CHECK(settle_regular_prisms(surfaces, 10, true).empty());
