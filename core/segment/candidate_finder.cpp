@@ -10,8 +10,6 @@ namespace hewn {
 namespace {
 
 constexpr double kMaxNormalDeviation = 0.22;  // radians; of a patch from its first fit
-constexpr double kMaxSagittaRatio = 0.024;    // of the radius: steps of 25 degrees for most facets
-constexpr double kMaxSagittaOutlier = 0.062;  // and of 40 degrees for each
 constexpr double kTightRms = 0.15;            // of the sagitta: corners lie on the surface
 constexpr double kTightUncut = 0.05;  // of the sagitta: what tells an exact surface may miss
 constexpr double kDepthSlack = 1.6;   // times the sagitta: middles of further facets
@@ -19,9 +17,11 @@ constexpr double kDepthSlack = 1.6;   // times the sagitta: middles of further f
 constexpr double kHalfLooseness = 0.4;
 /// Areas of facets of one ring differ by less than this factor, but where they are trimmed.
 constexpr double kAlike = 3;
+constexpr double kSameSlope = 0.017;  // sine
 constexpr double kExactLooseness = 0.1;
 constexpr double kResampledSlack = 3;
-constexpr double kMaxFacetShare = 0.4;    // of a resampled curved group, in one flat facet
+constexpr double kMostFacetShare = 0.8;  // of a curved group's area, in one flat facet
+constexpr double kMostResampledShare = 0.4;
 constexpr double kSignificant = 10;       // F-test
 constexpr double kSameFit = 0.3;          // of what exact vertices may stray
 constexpr double kMaxRadius = 5;          // in diagonals
@@ -59,7 +59,7 @@ CandidateFinder::CandidateFinder(const GrowthInput& input, const std::vector<int
       options_(input.options),
       component_of_(input.component_of),
       group_of_(group_of_facet),
-      smooth_rad_(input.options.smooth_angle_deg * kPi / 180),
+      steps_(input.steps),
       fitter_(input.mesh, input.graph, input.tolerance),
       stamp_of_(input.graph.facets.size(), 0),
       foreign_stamp_of_(input.graph.facets.size(), 0) {}
@@ -89,7 +89,7 @@ void CandidateFinder::search(int seed, Candidate& best) {
   // The triangles of a resampled mesh turn anyhow.
   if (!tolerance_.is_resampled) {
     const std::vector<int> smoothest = smoothest_neighborhood(seed, sizes.front());
-    if (smoothest.size() >= 4 && try_patch(smoothest, best)) return;
+    if (smoothest.size() >= steps_.least_patch && try_patch(smoothest, best)) return;
   }
   for (const int size : sizes) {
     const std::vector<int> patch = neighborhood(seed, size);
@@ -123,7 +123,7 @@ std::vector<int> CandidateFinder::smoothest_neighborhood(int seed, int size) {
   std::vector<int> patch = {seed};
   stamp_of_[seed] = stamp_;
   while (static_cast<int>(patch.size()) < size) {
-    FacetNeighbor next{-1, smooth_rad_};
+    FacetNeighbor next{-1, steps_.smooth_rad};
     for (const int f : patch) {
       for (const FacetNeighbor& n : graph_.neighbors(f)) {
         if (n.angle_rad >= next.angle_rad || !is_free(n.facet)) continue;
@@ -151,7 +151,7 @@ std::vector<int> CandidateFinder::neighborhood(int seed, int size) {
   for (std::size_t i = 0; i < patch.size(); ++i) {
     for (const FacetNeighbor& n : graph_.neighbors(patch[i])) {
       if (static_cast<int>(patch.size()) >= size) return patch;
-      if (n.angle_rad >= smooth_rad_ || !is_free(n.facet)) continue;
+      if (n.angle_rad >= steps_.smooth_rad || !is_free(n.facet)) continue;
       stamp_of_[n.facet] = stamp_;
       patch.push_back(n.facet);
     }
@@ -175,7 +175,7 @@ std::optional<Candidate> CandidateFinder::develop(Surface s, const std::vector<i
   if (!is_uncut && q.rms_distance > 0.6 * limits.distance) return std::nullopt;
   if (!has_fine_facets(s, core)) return std::nullopt;
   limits.sagitta = kDepthSlack * q.sagitta + 2 * eps;
-  limits.angle_rad = std::max(0.06, 1.6 * q.max_angle_rad);
+  limits.angle_rad = std::max(steps_.least_slack_rad, 1.6 * q.max_angle_rad);
   limits.least_cosine = std::cos(limits.angle_rad);
   if (is_uncut) allow_chords(s, core, q.sagitta, limits);
   std::vector<int> facets = grow(s, core, limits);
@@ -187,18 +187,47 @@ std::optional<Candidate> CandidateFinder::develop(Surface s, const std::vector<i
 /// Whether the facets' depth suits the radius. Tessellators that work along a parameter leave
 /// single wide facets, so most count, not the widest.
 bool CandidateFinder::has_fine_facets(const Surface& s, const std::vector<int>& facets) const {
-  if (s.kind == SurfaceKind::Cone) return true;
   const SurfaceField field(s);
-  std::vector<double> depths;
+  const bool is_ring = s.kind == SurfaceKind::Cone || is_ring_of_torus(s, facets);
+  std::vector<double> depths;  // of the radius
   depths.reserve(facets.size());
   for (const int f : facets) {
-    depths.push_back(std::abs(field.signed_distance(graph_.facets[f].centroid)));
+    const double depth = std::abs(field.signed_distance(graph_.facets[f].centroid));
+    depths.push_back(is_ring ? depth_about_axis(s, f) : (depth - tolerance_.eps) / s.radius);
   }
   const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
   std::nth_element(depths.begin(), middle, depths.end());
   const double largest = *std::max_element(middle, depths.end());
-  return *middle <= kMaxSagittaRatio * s.radius + tolerance_.eps &&
-         largest <= kMaxSagittaOutlier * s.radius + tolerance_.eps;
+  return *middle <= steps_.sagitta_share && largest <= steps_.sagitta_outlier;
+}
+
+/// How deep a facet lies in the circle around the axis that its corners lie on, of the radius. What
+/// a torus's other circle adds, or takes away where it bends the other way, does not count.
+double CandidateFinder::depth_about_axis(const Surface& s, int facet) const {
+  const auto across = [&s](const Vec3& p) {
+    const Vec3 d = p - s.point;
+    return Vec3(d - s.axis * s.axis.dot(d));
+  };
+  const Vec3 middle = across(graph_.facets[facet].centroid).normalized();
+  double least = 1;  // cosine
+  for (const int v : graph_.corners(facet)) {
+    const Vec3 corner = across(mesh_.vertices[v]);
+    const double distance = corner.norm();
+    if (distance > tolerance_.eps) least = std::min(least, middle.dot(corner) / distance);
+  }
+  return 1 - least;
+}
+
+/// One ring of facets, all inclined alike, lies on tori of any radius.
+bool CandidateFinder::is_ring_of_torus(const Surface& s, const std::vector<int>& facets) const {
+  if (s.kind != SurfaceKind::Torus) return false;
+  double lo = kInfinity, hi = -kInfinity;
+  for (const int f : facets) {
+    const double slope = s.axis.dot(graph_.facets[f].normal);
+    lo = std::min(lo, slope);
+    hi = std::max(hi, slope);
+  }
+  return hi - lo < kSameSlope;
 }
 
 /// First fit, then one more without the facets that are far off.
@@ -284,7 +313,7 @@ std::vector<int> CandidateFinder::grow(const Surface& s, const std::vector<int>&
     const bool from_tiny = fitter_.is_tiny(queue[i]);
     for (const FacetNeighbor& n : graph_.neighbors(queue[i])) {
       if (stamp_of_[n.facet] == stamp_ || group_of_[n.facet] >= 0) continue;
-      const bool may_turn = from_tiny || n.angle_rad <= smooth_rad_ * 1.5;
+      const bool may_turn = from_tiny || n.angle_rad <= steps_.growth_rad;
       if (!may_turn && !fitter_.is_tiny(n.facet)) continue;
       if (lies_on(field, n.facet, side, limits)) take(n.facet, queue);
     }
@@ -319,12 +348,15 @@ std::optional<Candidate> CandidateFinder::judge(Surface s, std::vector<int> face
   const FitQuality q = fitter_.evaluate(s, facets);
   if (s.radius > kMaxRadius * tolerance_.diagonal) return std::nullopt;
   if (distinct_normals(facets) < min_facets(s.kind)) return std::nullopt;
+  const bool is_exact = q.rms_distance < 1.5 * tolerance_.eps;
+  const bool is_cylinder = s.kind == SurfaceKind::Cylinder;
+  if (q.sagitta > (is_cylinder ? steps_.max_cylinder_depth : steps_.max_depth)) return std::nullopt;
   const double rms = std::min(q.rms_distance, fitter_.refine_uncut(s, facets, q));
+  if (steps_.only_exact && rms > 1.5 * tolerance_.eps) return std::nullopt;
   const double looseness = rms / (0.1 * q.sagitta + tolerance_.eps);
   // A resampled mesh's corners fill the depth of the facets that they lie on.
   const double slack = tolerance_.is_resampled ? kResampledSlack : 1;
   if (looseness > slack * options_.max_looseness) return std::nullopt;
-  const bool is_exact = q.rms_distance < 1.5 * tolerance_.eps;
   if (!normals_agree(s, facets, is_exact)) return std::nullopt;
   if ((s.kind == SurfaceKind::Sphere || s.kind == SurfaceKind::Torus) && is_flat(facets)) {
     return std::nullopt;
@@ -334,8 +366,9 @@ std::optional<Candidate> CandidateFinder::judge(Surface s, std::vector<int> face
     area += graph_.facets[f].area;
     largest = std::max(largest, graph_.facets[f].area);
   }
-  // A plane with the straddling triangles of its rim passes for a huge cylinder.
-  if (tolerance_.is_resampled && largest > kMaxFacetShare * area) return std::nullopt;
+  // A plane with the slivers or straddling triangles at its rim passes for a huge cylinder or cone.
+  const double most = tolerance_.is_resampled ? kMostResampledShare : kMostFacetShare;
+  if (largest > most * area) return std::nullopt;
   const double excess = looseness / (kHalfLooseness * slack);
   const double tightness = 0.05 + 0.95 / (1 + excess * excess);
   Candidate c{s, std::move(facets), 0, looseness};

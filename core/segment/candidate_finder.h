@@ -19,12 +19,26 @@ struct Candidate {
   double looseness = 0;     ///< corners' deviation against what the sagitta lets one tell
 };
 
+/// How coarsely a curved surface may be divided into facets. Angles in radians.
+struct FacetSteps {
+  double smooth_rad = 0;  ///< rims that turn by less join facets of one surface
+  double growth_rad = 0;  ///< so do these once the surface is known
+  /// How deep the middles of most facets, and of each, may lie, as shares of the radius.
+  double sagitta_share = 0, sagitta_outlier = 0;
+  /// The same in model units, of cylinders and of other surfaces.
+  double max_cylinder_depth = kInfinity, max_depth = kInfinity;
+  bool only_exact = false;        ///< corners lie on the surface, or sides touch it all alike
+  double least_slack_rad = 0.06;  ///< of a facet's normal, from the surface's at its middle
+  std::size_t least_patch = 4;    ///< facets to begin with
+};
+
 /// What growth works on. Everything outlives the finder.
 struct GrowthInput {
   const Mesh& mesh;
   const FacetGraph& graph;
   const SurfaceTolerance& tolerance;
   const SegmentOptions& options;
+  FacetSteps steps;
   const std::vector<int>& component_of;  ///< per facet: its smooth component, or -1
 };
 
@@ -66,6 +80,8 @@ class CandidateFinder {
   bool try_patch(const std::vector<int>& patch, Candidate& best);
   std::optional<Candidate> develop(Surface s, const std::vector<int>& patch);
   bool has_fine_facets(const Surface& s, const std::vector<int>& facets) const;
+  double depth_about_axis(const Surface& s, int facet) const;
+  bool is_ring_of_torus(const Surface& s, const std::vector<int>& facets) const;
   bool fit_core(Surface& s, std::vector<int>& core);
   bool refine_uncut(Surface& s, const std::vector<int>& facets, FitQuality& q);
   void allow_chords(const Surface& s, const std::vector<int>& facets, double sagitta,
@@ -87,7 +103,7 @@ class CandidateFinder {
   const SegmentOptions& options_;
   const std::vector<int>& component_of_;
   const std::vector<int>& group_of_;
-  double smooth_rad_;
+  FacetSteps steps_;
   FacetFitter fitter_;
   std::vector<std::uint32_t> stamp_of_, foreign_stamp_of_;
   std::uint32_t stamp_ = 0, foreign_stamp_ = 0;

@@ -19,9 +19,6 @@ constexpr std::size_t kLeastCorners = 6;
 constexpr double kLeastLength = 20;   ///< of the profile, in times eps
 constexpr double kLeastSlope = 0.02;  ///< below it is a cylinder
 constexpr double kMostSlope = 30;     ///< beyond it is a plane
-/// Facets may turn away from the surface by this much more than before.
-constexpr double kAsSmooth = 1.2;
-constexpr double kSmallAngle = 0.01;  // radians
 
 bool is_most(std::size_t count, std::size_t of_all) {
   return static_cast<double>(count) >= kExactShare * static_cast<double>(of_all);
@@ -91,7 +88,7 @@ class Adoption {
       if (group.surface.kind == SurfaceKind::Plane || group.is_settled) continue;
       const FitQuality quality = fitter_.evaluate(group.surface, group.facets);
       if (!fitter_.has_exact_corners(quality)) {
-        loose.push_back({static_cast<int>(g), kAsSmooth * quality.max_angle_rad + kSmallAngle});
+        loose.push_back({static_cast<int>(g), quality.angle_as_smooth()});
       } else if (is_ruled(group.surface.kind) && !has_same_axis(axes, group.surface, 2 * eps_)) {
         axes.push_back(group.surface);
       }

@@ -24,6 +24,19 @@ constexpr int kLeastFacets = 4;
 /// Seeds tried at a time by each worker once a first surface is known: enough to share them out
 /// evenly, few enough not to try many that the next best surface makes needless.
 constexpr std::size_t kSeedsAhead = 4;
+/// Facets of a curved surface turn by no more than some 25 degrees, a few of them by 40.
+constexpr double kSagittaShare = 0.024;  // of the radius
+constexpr double kSagittaOutlier = 0.062;
+constexpr double kGrowthSlack = 1.5;
+/// Circles of nine sides and more are meant to be round where that makes no visible difference. It
+/// does sooner for cylinders: a regular prism is exact and as short.
+constexpr double kCoarseTurn = 41;  // degrees
+constexpr double kCoarseGrowthTurn = 50;
+constexpr double kCoarseSagitta = 0.125;       // of the radius: a sphere bends both ways
+constexpr double kCoarseCylinderDepth = 2e-3;  // of the diagonal
+constexpr double kCoarseDepth = 6e-3;
+/// What is joined to more has small facets, too: it is of a free form.
+constexpr std::size_t kMostCoarse = 1000;
 
 /// What was found in one component.
 struct Growth {
@@ -265,38 +278,75 @@ class Growing {
   std::atomic<std::size_t> done_{0};
 };
 
-}  // namespace
+FacetSteps fine_steps(const SegmentOptions& options) {
+  const double smooth = options.smooth_angle_deg * kPi / 180;
+  return {.smooth_rad = smooth,
+          .growth_rad = kGrowthSlack * smooth,
+          .sagitta_share = kSagittaShare,
+          .sagitta_outlier = kSagittaOutlier};
+}
 
-std::vector<std::vector<int>> smooth_components(const FacetGraph& graph, double smooth_rad) {
-  std::vector<std::vector<int>> components;
+FacetSteps coarse_steps(double diagonal) {
+  return {.smooth_rad = kCoarseTurn * kPi / 180,
+          .growth_rad = kCoarseGrowthTurn * kPi / 180,
+          .sagitta_share = kCoarseSagitta,
+          .sagitta_outlier = kCoarseSagitta,
+          .max_cylinder_depth = kCoarseCylinderDepth * diagonal,
+          .max_depth = kCoarseDepth * diagonal,
+          .only_exact = true,
+          .least_slack_rad = kCoarseTurn / 2 * kPi / 180,
+          .least_patch = 3};
+}
+
+/// Facets of the kind joined by rims that turn by less than `smooth_rad`.
+template <class IsOfKind>
+std::vector<std::vector<int>> components(const FacetGraph& graph, double smooth_rad,
+                                         const IsOfKind& is_of_kind) {
+  std::vector<std::vector<int>> all;
   std::vector<bool> is_seen(graph.facets.size(), false);
+  const auto is_open = [&](int f) {
+    return !is_seen[f] && graph.facets[f].area > 0 && is_of_kind(f);
+  };
   for (int start = 0; start < graph.size(); ++start) {
-    if (is_seen[start] || graph.facets[start].area <= 0) continue;
+    if (!is_open(start)) continue;
     std::vector<int> component = {start};
     is_seen[start] = true;
     for (std::size_t i = 0; i < component.size(); ++i) {
       for (const FacetNeighbor& n : graph.neighbors(component[i])) {
-        if (n.angle_rad >= smooth_rad || is_seen[n.facet]) continue;
-        if (graph.facets[n.facet].area <= 0) continue;
+        if (n.angle_rad >= smooth_rad || !is_open(n.facet)) continue;
         is_seen[n.facet] = true;
         component.push_back(n.facet);
       }
     }
-    components.push_back(std::move(component));
+    all.push_back(std::move(component));
   }
-  return components;
+  return all;
 }
+
+}  // namespace
 
 Result<int> grow_curved_groups(const Mesh& mesh, const FacetGraph& graph,
                                const SurfaceTolerance& tolerance, const SegmentOptions& options,
                                FacetGroups& found, const RunContext& run) {
-  const auto components = smooth_components(graph, options.smooth_angle_deg * kPi / 180);
-  std::vector<int> component_of(graph.facets.size(), -1);
-  for (std::size_t c = 0; c < components.size(); ++c) {
-    for (const int f : components[c]) component_of[f] = static_cast<int>(c);
-  }
-  const GrowthInput input{mesh, graph, tolerance, options, component_of};
-  return Growing(input, found, run).grow_all(components);
+  const FacetSteps fine = fine_steps(options);
+  const auto grow = [&](const FacetSteps& steps, const std::vector<std::vector<int>>& within) {
+    std::vector<int> component_of(graph.facets.size(), -1);
+    for (std::size_t c = 0; c < within.size(); ++c) {
+      for (const int f : within[c]) component_of[f] = static_cast<int>(c);
+    }
+    const GrowthInput input{mesh, graph, tolerance, options, steps, component_of};
+    return Growing(input, found, run).grow_all(within);
+  };
+  const Result<int> given_up =
+      grow(fine, components(graph, fine.smooth_rad, [](int) { return true; }));
+  // The triangles of a resampled mesh turn anyhow.
+  if (!given_up || tolerance.is_resampled) return given_up;
+  const FacetSteps coarse = coarse_steps(tolerance.diagonal);
+  const auto is_free = [&](int f) { return found.group_of[f] < 0; };
+  auto rest = components(graph, coarse.smooth_rad, is_free);
+  std::erase_if(rest, [](const auto& component) { return component.size() > kMostCoarse; });
+  const Result<int> added = grow(coarse, rest);
+  return added ? given_up : added;
 }
 
 }  // namespace hewn

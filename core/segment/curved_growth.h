@@ -11,15 +11,13 @@
 
 namespace hewn {
 
-/// Grows curved groups in every smooth component of the facet graph. New groups are
-/// appended and take free facets only. Returns the number of components that were given up as
-/// free-form: what is left of them stays free.
-/// Cost: O(components x rounds x facets of the component).
+/// Grows curved groups in every smooth component of the facet graph, then coarse ones in what is
+/// left over: steps up to 40 degrees between facets whose corners are exact and whose middles are
+/// not deep. New groups are appended and take free facets only. Returns the number of components
+/// that were given up as free-form: what is left of them stays free. Cost: O(components x rounds x
+/// facets of the component).
 Result<int> grow_curved_groups(const Mesh& mesh, const FacetGraph& graph,
                                const SurfaceTolerance& tolerance, const SegmentOptions& options,
                                FacetGroups& found, const RunContext& run);
-
-/// Facets joined by rims that turn by less than `smooth_rad`.
-std::vector<std::vector<int>> smooth_components(const FacetGraph& graph, double smooth_rad);
 
 }  // namespace hewn

@@ -12,9 +12,6 @@ namespace {
 
 /// As exact as before but for this factor, or exact enough anyway.
 constexpr double kAsExact = 1.5;
-/// Facets may turn away from the surface by this much more than before.
-constexpr double kAsSmooth = 1.2;
-constexpr double kSmallAngle = 0.01;  // radians
 
 /// The simplest developable surface that explains the facets as well as `quality`.
 std::optional<Surface> developable_fit(FacetFitter& fitter, std::span<const int> facets,
@@ -26,10 +23,33 @@ std::optional<Surface> developable_fit(FacetFitter& fitter, std::span<const int>
     if (!fitter.refine(surface, facets, {.max_iterations = 30})) continue;
     const FitQuality q = fitter.evaluate(surface, facets);
     const bool is_exact = q.max_distance <= std::max(kAsExact * quality.max_distance, eps);
-    const bool is_smooth = q.max_angle_rad <= kAsSmooth * quality.max_angle_rad + kSmallAngle;
+    const bool is_smooth = q.max_angle_rad <= quality.angle_as_smooth();
     if (is_exact && is_smooth) best = surface;
   }
   return best;
+}
+
+/// The ring and the flat faces at its ends, in the place of a sphere: any two circles about one
+/// axis lie on one. Empty when the sphere is more than that.
+std::vector<GrownGroup> split_sphere(const GrownGroup& sphere, const FacetGraph& graph,
+                                     FacetFitter& fitter, double eps) {
+  constexpr std::size_t kCornersOfSide = 4;
+  GrownGroup ring;
+  std::vector<GrownGroup> pieces;
+  for (const int f : sphere.facets) {
+    if (graph.corners(f).size() > kCornersOfSide) {
+      pieces.push_back({fitter.plane_of(f), {f}});
+    } else {
+      ring.facets.push_back(f);
+    }
+  }
+  if (pieces.empty() || ring.facets.empty()) return {};
+  const FitQuality quality = fitter.evaluate(sphere.surface, ring.facets);
+  const auto surface = developable_fit(fitter, ring.facets, quality, eps);
+  if (!surface) return {};
+  ring.surface = *surface;
+  pieces.push_back(std::move(ring));
+  return pieces;
 }
 
 /// A ring of facets around an axis: all are inclined alike.
@@ -132,12 +152,15 @@ void prefer_developable(const Mesh& mesh, const FacetGraph& graph,
     const FitQuality quality = fitter.evaluate(groups[g].surface, groups[g].facets);
     if (const auto simpler = developable_fit(fitter, groups[g].facets, quality, tolerance.eps)) {
       groups[g].surface = *simpler;
-    } else if (kind == SurfaceKind::Torus) {
-      std::vector<GrownGroup> pieces = split_torus(groups[g], finder, fitter, tolerance.eps);
-      if (pieces.empty()) continue;
-      groups[g] = std::move(pieces[0]);
-      found.add(std::move(pieces[1]));
+      continue;
     }
+    std::vector<GrownGroup> pieces = kind == SurfaceKind::Torus
+                                         ? split_torus(groups[g], finder, fitter, tolerance.eps)
+                                         : split_sphere(groups[g], graph, fitter, tolerance.eps);
+    if (pieces.empty()) continue;
+    groups[g] = std::move(pieces.back());
+    pieces.pop_back();
+    for (GrownGroup& piece : pieces) found.add(std::move(piece));
   }
 }
 

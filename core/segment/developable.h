@@ -12,6 +12,8 @@ namespace hewn {
 /// sphere or torus, it takes its place: designs have chamfers far more often than single rings of
 /// a ball, and between two planes it is one solid.
 ///
+/// A ring with a flat face at an end lies on a sphere, too: they are taken apart.
+///
 /// Two rings of facets one above the other always lie on a torus, too. Unless they are equally
 /// wide, as the steps of a tessellation are, each becomes a group of its own; new groups are
 /// appended.

@@ -27,6 +27,9 @@ struct FitQuality {
   double rms_distance = 0;   ///< of corners
   double max_angle_rad = 0;  ///< between the surface's gradient and a facet's normal
   double sagitta = 0;        ///< largest distance of a facet's centre
+
+  /// The largest `max_angle_rad` of a surface that counts as no rougher, radians.
+  double angle_as_smooth() const { return 1.2 * max_angle_rad + 0.01; }
 };
 
 struct FacetFitSettings {

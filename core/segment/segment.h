@@ -20,7 +20,7 @@ struct SegmentOptions {
   double plane_tolerance = 1.5e-5;  ///< vertices of a flat facet off its plane (noise may widen it)
   double vertex_tolerance = 1e-5;   ///< what exact vertices stray (noise may widen it)
   double max_deviation = 1e-3;      ///< of a surface that is not exact
-  double smooth_angle_deg = 24;     ///< rims that turn by less join facets of one surface
+  double smooth_angle_deg = 25;     ///< rims that turn by less join facets of one surface
   double max_looseness = 3;         ///< deviation against a tenth of the facets' depth
   double loose_factor = 5;          ///< second try of inexact designs: times vertex_tolerance
   int seeds = 8;                    ///< tried for each group
