@@ -17,6 +17,9 @@ constexpr double kDepthSlack = 1.6;   // times the sagitta: middles of further f
 constexpr double kHalfLooseness = 0.4;
 /// Areas of facets of one ring differ by less than this factor, but where they are trimmed.
 constexpr double kAlike = 3;
+/// So few may meet a cylinder by chance, as chamfers do.
+constexpr std::size_t kFewFacets = 4;
+constexpr double kSameWidth = 0.01;   // of a side, or of a whole turn in sides
 constexpr double kSameSlope = 0.017;  // sine
 constexpr double kExactLooseness = 0.1;
 constexpr double kResampledSlack = 3;
@@ -30,11 +33,6 @@ constexpr double kMaxSlack = 1;           // radians, of a facet's normal, howev
 constexpr double kMinSeedArea = 1e-8;     // of the squared diagonal
 constexpr int kPatchSizes[] = {5, 12, 30};
 constexpr int kResampledPatchSizes[] = {12, 40, 120, 360};
-
-int min_facets(SurfaceKind kind) {
-  if (kind == SurfaceKind::Sphere) return 6;
-  return kind == SurfaceKind::Torus ? 8 : 4;
-}
 
 /// Simple kinds win when both explain the same facets.
 double simplicity(SurfaceKind kind) {
@@ -70,6 +68,12 @@ void CandidateFinder::begin_component(int component) {
   ++foreign_stamp_;
 }
 
+int CandidateFinder::least_facets(SurfaceKind kind) const {
+  if (kind == SurfaceKind::Sphere) return 6;
+  if (kind == SurfaceKind::Torus) return 8;
+  return kind == SurfaceKind::Cylinder ? steps_.least_sides : 4;
+}
+
 bool CandidateFinder::is_seed(int facet) const {
   const double diagonal = tolerance_.diagonal;
   return graph_.facets[facet].area >= kMinSeedArea * diagonal * diagonal && !fitter_.is_tiny(facet);
@@ -89,7 +93,8 @@ void CandidateFinder::search(int seed, Candidate& best) {
   // The triangles of a resampled mesh turn anyhow.
   if (!tolerance_.is_resampled) {
     const std::vector<int> smoothest = smoothest_neighborhood(seed, sizes.front());
-    if (smoothest.size() >= steps_.least_patch && try_patch(smoothest, best)) return;
+    if (static_cast<int>(smoothest.size()) >= steps_.least_sides && try_patch(smoothest, best))
+      return;
   }
   for (const int size : sizes) {
     const std::vector<int> patch = neighborhood(seed, size);
@@ -179,7 +184,7 @@ std::optional<Candidate> CandidateFinder::develop(Surface s, const std::vector<i
   limits.least_cosine = std::cos(limits.angle_rad);
   if (is_uncut) allow_chords(s, core, q.sagitta, limits);
   std::vector<int> facets = grow(s, core, limits);
-  if (static_cast<int>(facets.size()) < min_facets(s.kind)) return std::nullopt;
+  if (static_cast<int>(facets.size()) < least_facets(s.kind)) return std::nullopt;
   refine_while_growing(s, core, limits, facets);
   return judge(s, std::move(facets));
 }
@@ -218,6 +223,16 @@ double CandidateFinder::depth_about_axis(const Surface& s, int facet) const {
   return 1 - least;
 }
 
+/// Whether the facets are whole sides of one regular polygon.
+bool CandidateFinder::are_sides_of_polygon(const Surface& s, const std::vector<int>& facets) const {
+  const auto width = [&](int f) { return 2 * std::acos(1 - depth_about_axis(s, f)); };
+  const double first = width(facets.front());
+  const double sides = 2 * kPi / first;
+  if (std::abs(sides - std::round(sides)) > kSameWidth * sides) return false;
+  return std::all_of(facets.begin(), facets.end(),
+                     [&](int f) { return std::abs(width(f) - first) < kSameWidth * first; });
+}
+
 /// One ring of facets, all inclined alike, lies on tori of any radius.
 bool CandidateFinder::is_ring_of_torus(const Surface& s, const std::vector<int>& facets) const {
   if (s.kind != SurfaceKind::Torus) return false;
@@ -243,7 +258,7 @@ bool CandidateFinder::fit_core(Surface& s, std::vector<int>& core) {
   for (const auto& [error, f] : errors) {
     if (error <= limit) kept.push_back(f);
   }
-  if (kept.size() == core.size() || static_cast<int>(kept.size()) < min_facets(s.kind)) {
+  if (kept.size() == core.size() || static_cast<int>(kept.size()) < least_facets(s.kind)) {
     return true;
   }
   core = std::move(kept);
@@ -347,7 +362,7 @@ bool CandidateFinder::lies_on(const SurfaceField& s, int f, double side,
 std::optional<Candidate> CandidateFinder::judge(Surface s, std::vector<int> facets) {
   const FitQuality q = fitter_.evaluate(s, facets);
   if (s.radius > kMaxRadius * tolerance_.diagonal) return std::nullopt;
-  if (distinct_normals(facets) < min_facets(s.kind)) return std::nullopt;
+  if (distinct_normals(facets) < least_facets(s.kind)) return std::nullopt;
   const bool is_exact = q.rms_distance < 1.5 * tolerance_.eps;
   const bool is_cylinder = s.kind == SurfaceKind::Cylinder;
   if (q.sagitta > (is_cylinder ? steps_.max_cylinder_depth : steps_.max_depth)) return std::nullopt;
@@ -358,6 +373,7 @@ std::optional<Candidate> CandidateFinder::judge(Surface s, std::vector<int> face
   const double slack = tolerance_.is_resampled ? kResampledSlack : 1;
   if (looseness > slack * options_.max_looseness) return std::nullopt;
   if (!normals_agree(s, facets, is_exact)) return std::nullopt;
+  if (facets.size() < kFewFacets && !are_sides_of_polygon(s, facets)) return std::nullopt;
   if ((s.kind == SurfaceKind::Sphere || s.kind == SurfaceKind::Torus) && is_flat(facets)) {
     return std::nullopt;
   }

@@ -29,7 +29,7 @@ struct FacetSteps {
   double max_cylinder_depth = kInfinity, max_depth = kInfinity;
   bool only_exact = false;        ///< corners lie on the surface, or sides touch it all alike
   double least_slack_rad = 0.06;  ///< of a facet's normal, from the surface's at its middle
-  std::size_t least_patch = 4;    ///< facets to begin with
+  int least_sides = 4;            ///< of a cylinder
 };
 
 /// What growth works on. Everything outlives the finder.
@@ -73,6 +73,7 @@ class CandidateFinder {
     double least_cosine = 1;  // of `angle_rad`
   };
 
+  int least_facets(SurfaceKind kind) const;
   bool is_free(int facet) const;
   void search(int seed, Candidate& best);
   std::vector<int> smoothest_neighborhood(int seed, int size);
@@ -81,6 +82,7 @@ class CandidateFinder {
   std::optional<Candidate> develop(Surface s, const std::vector<int>& patch);
   bool has_fine_facets(const Surface& s, const std::vector<int>& facets) const;
   double depth_about_axis(const Surface& s, int facet) const;
+  bool are_sides_of_polygon(const Surface& s, const std::vector<int>& facets) const;
   bool is_ring_of_torus(const Surface& s, const std::vector<int>& facets) const;
   bool fit_core(Surface& s, std::vector<int>& core);
   bool refine_uncut(Surface& s, const std::vector<int>& facets, FitQuality& q);

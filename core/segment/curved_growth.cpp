@@ -295,7 +295,7 @@ FacetSteps coarse_steps(double diagonal) {
           .max_depth = kCoarseDepth * diagonal,
           .only_exact = true,
           .least_slack_rad = kCoarseTurn / 2 * kPi / 180,
-          .least_patch = 3};
+          .least_sides = 3};
 }
 
 /// Facets of the kind joined by rims that turn by less than `smooth_rad`.

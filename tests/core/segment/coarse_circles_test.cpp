@@ -96,6 +96,24 @@ TEST_CASE("a corner rounded with three coarse sides and a piece of a fourth is r
   CHECK(curved[0].triangles.size() == 8);
 }
 
+/// An outline with corners at these angles around the origin, and square ones.
+std::vector<Vec2> cornered(double radius, const std::vector<double>& degrees) {
+  std::vector<Vec2> outline = {{-20, -20}, {radius, -20}};
+  for (const double d : degrees) outline.push_back(on_circle(radius, d * kPi / 180));
+  outline.emplace_back(-20, outline.back().y());
+  return outline;
+}
+
+TEST_CASE("three sides alone are round when they are a regular polygon's") {
+  const double step = 360.0 / 13;
+  const auto curved =
+      curved_groups_above_plate(bar(cornered(4, {0, step, 2 * step, 3 * step}), 30));
+  REQUIRE(curved.size() == 1);
+  CHECK(curved[0].surface.radius == doctest::Approx(4).epsilon(1e-5));
+  CHECK(curved[0].triangles.size() == 6);
+  CHECK(curved_groups_above_plate(bar(cornered(4, {0, 25, 55, 83}), 30)).empty());
+}
+
 TEST_CASE("a flat face and slivers beside it are no cylinder, though one meets their corners") {
   std::vector<Vec2> outline = {{-6.1, -20}, {6.1, -20}};
   for (const double degrees : {24, 22, 20, -20, -22, -24}) {
