@@ -186,11 +186,14 @@ class PrismFinder {
   long trials_ = 0;
 };
 
+double misfit(const RegularPrism& prism, const SurfaceSet& surfaces, const HalfspaceSide& side) {
+  return std::abs(side_of(surfaces, side).distance_from(prism.center) - prism.radius);
+}
+
 double largest_misfit(const RegularPrism& prism, const SurfaceSet& surfaces) {
   double largest = 0;
   for (const HalfspaceSide& side : prism.sides) {
-    const double distance = side_of(surfaces, side).distance_from(prism.center);
-    largest = std::max(largest, std::abs(distance - prism.radius));
+    largest = std::max(largest, misfit(prism, surfaces, side));
   }
   return largest;
 }
@@ -210,12 +213,40 @@ void fit_sides(RegularPrism& prism, const SurfaceSet& surfaces) {
   prism.center += shift;
 }
 
-void round_sides(RegularPrism& prism, double tolerance) {
-  prism.radius = round_value(prism.radius, tolerance);
-  if (!has_reference(prism.axis)) return;
+/// By how far the most exact side may move.
+double least_allowed(const RegularPrism& prism, const SurfaceSet& surfaces) {
+  double least = kInfinity;
+  for (const HalfspaceSide& side : prism.sides) {
+    least = std::min(least, surfaces.halfspaces[side.halfspace].tolerance);
+  }
+  return std::max(least, kSameShare * prism.radius);
+}
+
+/// A nut's inscribed circle has the round radius, a coarse circle's corners do.
+double rounded_radius(const RegularPrism& prism, double tolerance) {
+  const double share = std::cos(kPi / prism.count());
+  const RoundValue inner = find_round_value(prism.radius, tolerance);
+  const RoundValue outer = find_round_value(prism.radius / share, tolerance / share);
+  return outer.exponent > inner.exponent ? outer.value * share : inner.value;
+}
+
+RegularPrism rounded(RegularPrism prism, double tolerance) {
+  prism.radius = rounded_radius(prism, tolerance);
+  if (!has_reference(prism.axis)) return prism;
   const Tangents f = reference_frame(prism.axis);
   prism.center = f.u * round_value(f.u.dot(prism.center), tolerance) +
                  f.w * round_value(f.w.dot(prism.center), tolerance);
+  return prism;
+}
+
+/// On the ideal prism, round where no side moves too far for it.
+RegularPrism settled(RegularPrism prism, const SurfaceSet& surfaces, bool is_flush,
+                     bool round_values) {
+  if (!is_flush) fit_sides(prism, surfaces);
+  if (!round_values) return prism;
+  const double allowed = least_allowed(prism, surfaces);
+  RegularPrism round = rounded(prism, allowed);
+  return largest_misfit(round, surfaces) <= allowed ? round : prism;
 }
 
 }  // namespace
@@ -227,18 +258,22 @@ Vec3 RegularPrism::side_normal(int k) const {
 
 std::vector<int> settle_regular_prisms(SurfaceSet& surfaces, double diagonal, bool round_values) {
   std::set<int> moved;
-  for (RegularPrism& prism : find_regular_prisms(surfaces)) {
-    const bool is_free =
-        std::none_of(prism.sides.begin(), prism.sides.end(),
-                     [&](const HalfspaceSide& s) { return moved.count(s.halfspace) > 0; });
-    if (!is_free || largest_misfit(prism, surfaces) < kFlush * diagonal) continue;
-    fit_sides(prism, surfaces);
-    if (round_values) round_sides(prism, largest_misfit(prism, surfaces));
+  const double flush = kFlush * diagonal;
+  for (const RegularPrism& found : find_regular_prisms(surfaces)) {
+    const bool is_flush = largest_misfit(found, surfaces) < flush;
+    const RegularPrism prism = settled(found, surfaces, is_flush, round_values);
+    if (is_flush && largest_misfit(prism, surfaces) < flush) continue;
+    // Prisms side by side may share the plane of a side: the first one's place for it counts.
+    const bool agrees =
+        std::all_of(prism.sides.begin(), prism.sides.end(), [&](const HalfspaceSide& s) {
+          return moved.count(s.halfspace) == 0 || misfit(prism, surfaces, s) < flush;
+        });
+    if (!agrees) continue;
     for (const HalfspaceSide& side : prism.sides) {
+      if (!moved.insert(side.halfspace).second) continue;
       // Along the plane's own normal, which is its direction exactly.
       Surface& plane = surfaces.halfspaces[side.halfspace].surface;
       plane.offset = plane.axis.dot(prism.center) + (side.inside ? prism.radius : -prism.radius);
-      moved.insert(side.halfspace);
     }
   }
   return {moved.begin(), moved.end()};

@@ -87,14 +87,12 @@ class ScadWriter {
       prefix = "scale(" + decimal_text(1, style_.unit_exponent) + ") ";
     }
     body = block(prefix + turn(0, frames_.root), {tree_.root}, frames_.root, 0);
-    return prism_module() + modules_ + body;
+    return prism_module(modules_ + body) + modules_ + body;
   }
 
  private:
-  std::string prism_module() const {
-    const bool has_prism = std::any_of(tree_.literals.begin(), tree_.literals.end(),
-                                       [](const Literal& s) { return s.kind == SolidKind::Prism; });
-    if (!has_prism) return "";
+  static std::string prism_module(std::string_view design) {
+    if (design.find("prism(sides = ") == std::string_view::npos) return "";
     return fmt::format("// A regular prism; r is the radius of the inscribed circle.\n{}\n",
                        kPrismModule);
   }

@@ -8,6 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "core/csg/prism.h"
+#include "core/io/scad_prism.h"
+
 namespace hewn {
 namespace {
 
@@ -116,8 +119,16 @@ class LiteralPrinter {
 
   std::string upright_call(Steps height, bool is_flipped, bool is_centered) const {
     if (literal_.kind != SolidKind::Prism) return cylinder_call(height, is_flipped, is_centered);
-    return fmt::format("prism(sides = {}, r = {}, h = {});", literal_.sides,
-                       text(positive(literal_.radius)), text(height));
+    const std::string inner = text(positive(literal_.radius));
+    // A coarse circle reads best as what it was.
+    if (literal_.sides <= kMostPolygonSides) {
+      const std::string outer = text(positive(circumradius(literal_)));
+      if (outer.size() < inner.size()) {
+        return fmt::format("cylinder(h = {}, r = {}, $fn = {});", text(height), outer,
+                           literal_.sides);
+      }
+    }
+    return fmt::format("prism(sides = {}, r = {}, h = {});", literal_.sides, inner, text(height));
   }
 
   static std::string axis_turn(int k) {

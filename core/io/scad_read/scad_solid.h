@@ -4,14 +4,16 @@
 
 #include "core/base/result.h"
 #include "core/csg/literal.h"
+#include "core/io/scad_prism.h"
 #include "core/io/scad_read/scad_value.h"
 
 namespace hewn {
 
 /// Where a primitive stands, beside its own arguments.
 struct ScadScope {
-  ScadValue sides;           ///< `$fn` of the file or of a surrounding object
-  int most_prism_sides = 8;  ///< circles with so many explicit sides or fewer are polygons
+  ScadValue sides;  ///< `$fn` of the file or of a surrounding object
+  /// Circles with so many explicit sides or fewer are polygons.
+  int most_prism_sides = kMostPolygonSides;
 };
 
 /// cube, cylinder, prism (see scad_prism.h), sphere, polyhedron or rotate_extrude of a circle.

@@ -7,13 +7,14 @@
 #include "core/base/result.h"
 #include "core/base/run_context.h"
 #include "core/csg/tree.h"
+#include "core/io/scad_prism.h"
 
 namespace hewn {
 
 struct ScadReadOptions {
   /// Circles with an explicit `$fn` of so many sides or fewer are meant as polygons and become
   /// prisms; with more they are true circles.
-  int most_prism_sides = 8;
+  int most_prism_sides = kMostPolygonSides;
   int most_literals = 10'000;
   /// Renders a stretch of OpenSCAD text (hull, minkowski, text, ...) to a closed mesh. Without it
   /// such constructs are an error.

@@ -1,5 +1,9 @@
 #include "core/fit/regular_prisms.h"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include <doctest/doctest.h>
 
 #include "core/base/rng.h"
@@ -67,6 +71,42 @@ TEST_CASE("sides are compared where the prism is, not at the origin") {
     CHECK(prisms.front().count() == sides);
     CHECK(prisms.front().radius == doctest::Approx(2).epsilon(1e-4));
     CHECK((prisms.front().center - center).norm() < 1e-3);
+  }
+}
+
+/// Pentagons of the same corner radius side by side, with sides rounded on their own.
+SurfaceSet rounded_pentagons(const std::vector<Vec3>& centers, double corner_radius) {
+  SurfaceSet surfaces;
+  for (int k = 0; k < 5; ++k) {
+    const double angle = (36 + 72 * k) * kPi / 180;
+    surfaces.directions.emplace_back(std::cos(angle), std::sin(angle), 0);
+    for (const Vec3& center : centers) {
+      Halfspace h;
+      h.surface.axis = surfaces.directions.back();
+      const double exact = h.surface.axis.dot(center) + corner_radius * std::cos(kPi / 5);
+      h.surface.offset = std::round(1e4 * exact) / 1e4;
+      h.tolerance = 2e-4;
+      h.direction = k;
+      const bool is_known = std::any_of(
+          surfaces.halfspaces.begin(), surfaces.halfspaces.end(),
+          [&](const auto& o) { return o.direction == k && o.surface.offset == h.surface.offset; });
+      if (!is_known) surfaces.halfspaces.push_back(h);
+    }
+  }
+  return surfaces;
+}
+
+TEST_CASE("a coarse circle's corners get the round radius, side by side, too") {
+  // The last side of both lies in one plane.
+  const std::vector<Vec3> centers = {{7, 5, 0}, {7, 25, 0}};
+  SurfaceSet surfaces = rounded_pentagons(centers, 1.5);
+  REQUIRE(surfaces.halfspaces.size() == 9);
+  CHECK(settle_regular_prisms(surfaces, 100, true).size() == 9);
+  const auto prisms = find_regular_prisms(surfaces);
+  REQUIRE(prisms.size() == 2);
+  for (const RegularPrism& prism : prisms) {
+    CHECK(prism.radius == doctest::Approx(1.5 * std::cos(kPi / 5)).epsilon(1e-9));
+    CHECK(std::min((prism.center - centers[0]).norm(), (prism.center - centers[1]).norm()) < 1e-9);
   }
 }
 
