@@ -37,6 +37,8 @@ constexpr double kCoarseCylinderDepth = 2e-3;  // of the diagonal
 constexpr double kCoarseDepth = 6e-3;
 /// What is joined to more has small facets, too: it is of a free form.
 constexpr std::size_t kMostCoarse = 1000;
+/// In a resampled mesh whatever is wide has many triangles.
+constexpr std::size_t kLeastTriangles = 4;
 
 /// What was found in one component.
 struct Growth {
@@ -339,11 +341,13 @@ Result<int> grow_curved_groups(const Mesh& mesh, const FacetGraph& graph,
   };
   const Result<int> given_up =
       grow(fine, components(graph, fine.smooth_rad, [](int) { return true; }));
-  // The triangles of a resampled mesh turn anyhow.
-  if (!given_up || tolerance.is_resampled) return given_up;
+  if (!given_up) return given_up;
   const FacetSteps coarse = coarse_steps(tolerance.diagonal);
-  const auto is_free = [&](int f) { return found.group_of[f] < 0; };
-  auto rest = components(graph, coarse.smooth_rad, is_free);
+  const std::size_t least = tolerance.is_resampled ? kLeastTriangles : 1;
+  const auto may_be_side = [&](int f) {
+    return found.group_of[f] < 0 && graph.facets[f].triangles.size() >= least;
+  };
+  auto rest = components(graph, coarse.smooth_rad, may_be_side);
   std::erase_if(rest, [](const auto& component) { return component.size() > kMostCoarse; });
   const Result<int> added = grow(coarse, rest);
   return added ? given_up : added;

@@ -10,9 +10,10 @@
 namespace hewn {
 namespace {
 
-/// The curved groups of the feature above a plate that makes it small.
-std::vector<FaceGroup> curved_groups_above_plate(const Mesh& feature) {
-  const Mesh plate = solids::box({-50, -50, -20}, {50, 50, -15});
+/// The curved groups of the feature above a plate that makes it small; each side of the plate is a
+/// grid of `cells` x `cells` squares.
+std::vector<FaceGroup> curved_groups_above_plate(const Mesh& feature, int cells = 1) {
+  const Mesh plate = solids::box({-50, -50, -20}, {50, 50, -15}, cells);
   const Result<Segmentation> s = segment(solids::together(plate, feature), {}, RunContext{});
   REQUIRE(s.has_value());
   std::vector<FaceGroup> curved;
@@ -94,6 +95,12 @@ TEST_CASE("a corner rounded with three coarse sides and a piece of a fourth is r
   CHECK(curved[0].surface.kind == SurfaceKind::Cylinder);
   CHECK(curved[0].surface.radius == doctest::Approx(4).epsilon(1e-4));
   CHECK(curved[0].triangles.size() == 8);
+}
+
+TEST_CASE("coarse cylinders are found in a mesh that was resampled") {
+  const auto curved = curved_groups_above_plate(solids::cylinder(3, 10, 13, 6), 20);
+  REQUIRE(curved.size() == 1);
+  CHECK(curved[0].surface.radius == doctest::Approx(3).epsilon(1e-5));
 }
 
 /// An outline with corners at these angles around the origin, and square ones.
