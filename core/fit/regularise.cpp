@@ -14,7 +14,8 @@ namespace hewn {
 namespace {
 
 constexpr double kMinConeAngle = kPi / 180;  // flatter flanks are cylinders
-constexpr double kMaxTolerance = 4e-3;       // shares of the diagonal
+constexpr double kMaxTolerance = 6e-3;       // shares of the diagonal
+constexpr double kDeep = 1e-3;
 constexpr double kMinTolerance = 1e-5;
 constexpr double kSameAngle = 0.003;  // radians, of merged cones
 constexpr double kMaxWedge = 0.05;    // radians between surfaces that one may take for another
@@ -203,11 +204,15 @@ class SetBuilder {
   }
 
   void measure(Halfspace& h, const std::vector<int>& groups) const {
-    double worst = 0, sum = 0, area = 0;
+    double worst = 0, deepest = 0, sum = 0, area = 0;
     for (const int g : groups) {
       for (const int t : segmentation_.groups[g].triangles) {
         for (const int v : mesh_.triangles[t]) {
           worst = std::max(worst, std::abs(h.surface.signed_distance(mesh_.vertices[v])));
+        }
+        for (int k = 0; k < 3; ++k) {
+          const Vec3 middle = (mesh_.corner(t, k) + mesh_.corner(t, (k + 1) % 3)) / 2;
+          deepest = std::max(deepest, std::abs(h.surface.signed_distance(middle)));
         }
         // A sliver's centre tells nothing, and its normal even less.
         if (mesh_.areas[t] <= 0) continue;
@@ -217,6 +222,9 @@ class SetBuilder {
       }
     }
     const double diagonal = mesh_.diagonal();
+    // A side is a little deeper where its diagonal has its middle. That counts where sides are
+    // deep: else points so near are better had, though a few are on the other side.
+    if (deepest > kDeep * diagonal) worst = std::max(worst, deepest);
     h.tolerance = std::min(worst, kMaxTolerance * diagonal) * 1.05 + kMinTolerance * diagonal;
     h.mean_offset = h.surface.kind == SurfaceKind::Plane || area <= 0 ? 0 : sum / area;
   }
