@@ -20,6 +20,9 @@ constexpr std::uint64_t kVolumeStream = 0x700000;
 constexpr std::uint64_t kOutsideStream = 0x780000;
 constexpr std::uint64_t kSurfaceStream = 0x800000;
 constexpr std::uint64_t kLineStream = 0x900000;
+constexpr std::uint64_t kLiteralStream = 0x980000;
+/// Through what a literal may reach. Lines through the whole part seldom meet a small feature.
+constexpr std::size_t kLinesPerLiteral = 64;
 
 struct Distances {
   double largest = 0;
@@ -145,6 +148,35 @@ void join_touching(std::vector<TreeInterval>& stretches, double rounding) {
                 [rounding](const TreeInterval& s) { return s.leave.t - s.enter.t <= rounding; });
 }
 
+/// The largest distance from the mesh at crossings of lines that are aimed at each literal.
+double largest_at_literals(const MeshQuery& query, const TreeRays& rays, const RunContext& run) {
+  const Tree& tree = rays.tree();
+  const Box3 part = tree.bounds();
+  std::vector<double> largest(tree.literals.size(), 0);
+  for_each_index(run.threads, tree.literals.size(), [&](std::size_t i) {
+    if (run.is_cancelled()) return;
+    Box3 box = tree.literals[i].bounds();
+    box.lo = box.lo.cwiseMax(part.lo);
+    box.hi = box.hi.cwiseMin(part.hi);
+    if (box.is_empty()) return;
+    const double radius = 0.5 * box.diagonal();
+    Rng rng(run.seed, kLiteralStream + i);
+    TreeRayScratch scratch;
+    for (std::size_t k = 0; k < kLinesPerLiteral; ++k) {
+      const Line line = draw_line(box.center(), radius, rng);
+      std::vector<TreeInterval> stretches = rays.cast(line.origin, line.direction, scratch);
+      join_touching(stretches, kTouching * query.mesh().diagonal());
+      for (const TreeInterval& stretch : stretches) {
+        for (const double t : {stretch.enter.t, stretch.leave.t}) {
+          const Vec3 p = line.origin + t * line.direction;
+          if (box.contains(p)) largest[i] = std::max(largest[i], query.closest(p).distance);
+        }
+      }
+    }
+  });
+  return largest.empty() ? 0 : *std::max_element(largest.begin(), largest.end());
+}
+
 void score_tree_surface(const MeshQuery& query, const Tree& tree, int points, const RunContext& run,
                         TreeScore& score) {
   const double diagonal = query.mesh().diagonal();
@@ -173,7 +205,8 @@ void score_tree_surface(const MeshQuery& query, const Tree& tree, int points, co
     on_polyhedra += line.on_polyhedra;
   }
   const Distances from_tree = summarise(distances);
-  score.tree_to_mesh_max = from_tree.largest;
+  score.tree_to_mesh_max =
+      std::max(from_tree.largest, largest_at_literals(query, rays, run) / diagonal);
   score.mean_distance = std::max(score.mean_distance, from_tree.mean);
   if (!distances.empty()) {
     score.polyhedron_share =

@@ -21,7 +21,8 @@ struct TreeScore {
 };
 
 /// Distances from the mesh are measured by walking down the tree's distance field, those from the
-/// tree at crossings of random lines with its surface (uniform by Cauchy and Crofton).
+/// tree at crossings of random lines with its surface (uniform by Cauchy and Crofton), and for the
+/// largest one also of lines aimed at each literal.
 /// Fails with: Cancelled. Same result for any thread count.
 Result<TreeScore> score_tree(const MeshQuery& query, const Tree& tree,
                              const VerifySettings& settings, const RunContext& run);

@@ -1,6 +1,7 @@
 // The score of a tree against a mesh, where both are known exactly.
 #include "core/session/score.h"
 
+#include <cmath>
 #include <memory>
 
 #include <doctest/doctest.h>
@@ -47,6 +48,19 @@ TEST_CASE("a tree that misses the mesh shares nothing with it") {
   tree.literals[0].origin = Vec3::Constant(40);
   CHECK(scored(tree).iou == 0);
   CHECK(scored(Tree{}).iou == 0);
+}
+
+TEST_CASE("a small feature that sticks out counts, though few lines through the part meet it") {
+  Tree tree = cube_tree(10);
+  Literal spike;
+  spike.kind = SolidKind::Cylinder;
+  spike.radius = spike.top_radius = 0.02;
+  spike.height = 0.6;
+  spike.origin = Vec3(3, 7, 9.9);
+  const int cube = tree.root;
+  const int pin = tree.add_literal(spike);
+  tree.root = tree.add_node(Op::Union, {cube, pin});
+  CHECK(scored(tree).hausdorff == doctest::Approx(0.5 / std::sqrt(300.0)).epsilon(0.1));
 }
 
 TEST_CASE("the number of threads leaves no trace in the score") {
