@@ -279,8 +279,9 @@ class TreeSearch {
     const ListSolid solid(current_.list, surfaces_.halfspaces, space_.frame, current_.is_clipped());
     const Tree tree = lowered(current_.list, current_.is_clipped(), false);
     const SolidTest contains = [&solid](const Vec3& p) { return solid.contains(p); };
-    Verification v =
-        verify_list(space_, {current_.list, contains, tree}, {}, stream(round, 0), run_);
+    const Candidate candidate{current_.list, contains, tree};
+    Verification v = verify_list(space_, candidate, {}, stream(round, 0), run_);
+    if (!v.has_stray) look_again(candidate, round, v);
     const double error =
         (1 - v.agreement) + kLineWeight * (1 - v.line_agreement) + (v.has_stray ? kStrayError : 0);
     const bool is_better = !best_ || error < best_error_ - kSameError ||
@@ -299,6 +300,20 @@ class TreeSearch {
     cells_ = find_cells(table_, run_);
     separate();
     return true;
+  }
+
+  /// A small piece that sticks out may escape one look: once more along lines aimed at the
+  /// literals.
+  void look_again(const Candidate& candidate, int round, Verification& v) const {
+    const VerifyOptions aimed{.uniform_points = 0,
+                              .near_points = 0,
+                              .around_points = 0,
+                              .lines = 0,
+                              .lines_per_literal = 192};
+    const Verification more = verify_list(space_, candidate, aimed, stream(round, 1), run_);
+    v.has_stray = more.has_stray;
+    v.counterexamples.insert(v.counterexamples.end(), more.counterexamples.begin(),
+                             more.counterexamples.end());
   }
 
   void densify(const std::vector<LabelledPoint>& around, int round) {

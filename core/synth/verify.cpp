@@ -250,10 +250,10 @@ Verification verify_list(const SampleSpace& space, const Candidate& candidate,
     const std::size_t chunks = static_cast<std::size_t>(options.lines) / kLinesPerChunk;
     result.line_agreement =
         agreement(chunks, 5, along_lines(space, rays, {candidate.tree.bounds()}));
-    // Lines through the whole part seldom meet a small feature.
     std::vector<Box3> boxes = boxes_of_literals(candidate.tree);
-    const std::size_t literals = boxes.size();
-    if (literals > 0) agreement(literals, 6, along_lines(space, rays, std::move(boxes)));
+    const std::size_t aimed =
+        boxes.size() * static_cast<std::size_t>(options.lines_per_literal) / kLinesPerChunk;
+    if (aimed > 0) agreement(aimed, 6, along_lines(space, rays, std::move(boxes)));
   }
   return result;
 }

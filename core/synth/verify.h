@@ -43,7 +43,8 @@ struct VerifyOptions {
   int near_points = 16000;
   int around_points = 12000;
   int points_per_literal = 40;  ///< on both sides of the list's own term boundaries
-  int lines = 10000;            ///< through the tree, see `Candidate::tree`
+  int lines = 6000;             ///< through the tree, see `Candidate::tree`
+  int lines_per_literal = 64;   ///< through what each may reach: few others meet a small feature
 };
 
 /// What is verified, in three forms of the same solid.
