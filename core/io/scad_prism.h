@@ -5,7 +5,8 @@
 
 namespace hewn {
 
-/// Circles with so many explicit sides or fewer are polygons, those with more are meant to be round.
+/// Circles with so many explicit sides or fewer are polygons, those with more are meant to be
+/// round.
 inline constexpr int kMostPolygonSides = 8;
 
 /// Written before the design; read back as `SolidKind::Prism` where the text is the same.
