@@ -2,8 +2,6 @@
 
 #include <mutex>
 
-#include "core/base/file.h"
-
 namespace hewn {
 
 Result<void> check_outputs(const std::vector<std::string>& paths) {

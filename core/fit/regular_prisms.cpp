@@ -29,6 +29,9 @@ struct Side {
   double tolerance = 0;
 
   double distance_from(const Vec3& point) const { return offset - normal.dot(point); }
+  double misfit(const RegularPrism& prism) const {
+    return std::abs(distance_from(prism.center) - prism.radius);
+  }
 };
 
 Side side_of(const SurfaceSet& surfaces, const HalfspaceSide& side) {
@@ -145,13 +148,11 @@ class PrismFinder {
   }
 
   static std::optional<Side> nearest(const std::vector<Side>& sides, const RegularPrism& prism) {
-    const auto misfit = [&prism](const Side& side) {
-      return std::abs(side.distance_from(prism.center) - prism.radius);
-    };
-    const auto best =
-        std::min_element(sides.begin(), sides.end(),
-                         [&](const Side& a, const Side& b) { return misfit(a) < misfit(b); });
-    if (misfit(*best) > std::max(kSameShare * prism.radius, best->tolerance)) return std::nullopt;
+    const auto best = std::min_element(
+        sides.begin(), sides.end(),
+        [&](const Side& a, const Side& b) { return a.misfit(prism) < b.misfit(prism); });
+    const double allowed = std::max(kSameShare * prism.radius, best->tolerance);
+    if (best->misfit(prism) > allowed) return std::nullopt;
     return *best;
   }
 
@@ -186,14 +187,10 @@ class PrismFinder {
   long trials_ = 0;
 };
 
-double misfit(const RegularPrism& prism, const SurfaceSet& surfaces, const HalfspaceSide& side) {
-  return std::abs(side_of(surfaces, side).distance_from(prism.center) - prism.radius);
-}
-
 double largest_misfit(const RegularPrism& prism, const SurfaceSet& surfaces) {
   double largest = 0;
   for (const HalfspaceSide& side : prism.sides) {
-    largest = std::max(largest, misfit(prism, surfaces, side));
+    largest = std::max(largest, side_of(surfaces, side).misfit(prism));
   }
   return largest;
 }
@@ -266,7 +263,7 @@ std::vector<int> settle_regular_prisms(SurfaceSet& surfaces, double diagonal, bo
     // Prisms side by side may share the plane of a side: the first one's place for it counts.
     const bool agrees =
         std::all_of(prism.sides.begin(), prism.sides.end(), [&](const HalfspaceSide& s) {
-          return moved.count(s.halfspace) == 0 || misfit(prism, surfaces, s) < flush;
+          return moved.count(s.halfspace) == 0 || side_of(surfaces, s).misfit(prism) < flush;
         });
     if (!agrees) continue;
     for (const HalfspaceSide& side : prism.sides) {

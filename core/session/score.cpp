@@ -6,6 +6,7 @@
 
 #include "core/base/rng.h"
 #include "core/compute/parallel.h"
+#include "core/csg/literal_boxes.h"
 #include "core/csg/tree_ray.h"
 #include "core/mesh/sampling.h"
 
@@ -150,15 +151,11 @@ void join_touching(std::vector<TreeInterval>& stretches, double rounding) {
 
 /// The largest distance from the mesh at crossings of lines that are aimed at each literal.
 double largest_at_literals(const MeshQuery& query, const TreeRays& rays, const RunContext& run) {
-  const Tree& tree = rays.tree();
-  const Box3 part = tree.bounds();
-  std::vector<double> largest(tree.literals.size(), 0);
-  for_each_index(run.threads, tree.literals.size(), [&](std::size_t i) {
-    if (run.is_cancelled()) return;
-    Box3 box = tree.literals[i].bounds();
-    box.lo = box.lo.cwiseMax(part.lo);
-    box.hi = box.hi.cwiseMin(part.hi);
-    if (box.is_empty()) return;
+  const std::vector<Box3> boxes = literal_boxes(rays.tree());
+  std::vector<double> largest(boxes.size(), 0);
+  for_each_index(run.threads, boxes.size(), [&](std::size_t i) {
+    const Box3& box = boxes[i];
+    if (run.is_cancelled() || box.is_empty()) return;
     const double radius = 0.5 * box.diagonal();
     Rng rng(run.seed, kLiteralStream + i);
     TreeRayScratch scratch;

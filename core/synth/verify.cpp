@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/compute/parallel.h"
+#include "core/csg/literal_boxes.h"
 #include "core/csg/tree_ray.h"
 #include "core/mesh/sampling.h"
 
@@ -149,49 +151,33 @@ Proposal term_boundaries(const SampleSpace& space, const DecisionList& list, int
 
 constexpr std::size_t kLinesPerChunk = 64;
 
-/// Proposes points along one line: midway between crossings of the tree's surface, where a whole
-/// slot or plug may be wrong, and close to them on both sides. Only those in the box count.
-template <class Emit>
-void propose_along(const SampleSpace& space, std::span<const TreeInterval> stretches,
-                   const Line& line, const Box3& box, Rng& rng, const Emit& emit) {
-  std::vector<double> crossings;
-  for (const TreeInterval& inside : stretches) {
-    crossings.push_back(inside.enter.t);
-    crossings.push_back(inside.leave.t);
-  }
-  for (std::size_t k = 0; k + 1 < crossings.size(); ++k) {
-    const double half = 0.5 * (crossings[k + 1] - crossings[k]);
-    const double reach = std::min(half, space.diagonal * std::pow(10, -4.3 + 2.3 * rng.uniform()));
-    for (const double t : {crossings[k] + reach, crossings[k] + half, crossings[k + 1] - reach}) {
-      const Vec3 p = line.origin + t * line.direction;
-      if (box.contains(p)) emit(p);
-    }
-  }
-}
-
-/// Along random lines through the box.
+/// Proposes points along random lines through the boxes, one box a chunk: midway between crossings
+/// of the tree's surface, where a whole slot or plug may be wrong, and close to them on both sides.
 Proposal along_lines(const SampleSpace& space, const TreeRays& rays, std::vector<Box3> boxes) {
   return [&space, &rays, boxes = std::move(boxes)](std::size_t chunk, Rng& rng, const auto& emit) {
     const Box3& box = boxes[chunk % boxes.size()];
     if (box.is_empty()) return;
     TreeRayScratch scratch;
+    std::vector<double> crossings;
     for (std::size_t i = 0; i < kLinesPerChunk; ++i) {
       const Line line = draw_line(box.center(), 0.5 * box.diagonal(), rng);
-      propose_along(space, rays.cast(line.origin, line.direction, scratch), line, box, rng, emit);
+      crossings.clear();
+      for (const TreeInterval& inside : rays.cast(line.origin, line.direction, scratch)) {
+        crossings.push_back(inside.enter.t);
+        crossings.push_back(inside.leave.t);
+      }
+      for (std::size_t k = 0; k + 1 < crossings.size(); ++k) {
+        const double half = 0.5 * (crossings[k + 1] - crossings[k]);
+        const double reach =
+            std::min(half, space.diagonal * std::pow(10, -4.3 + 2.3 * rng.uniform()));
+        for (const double t :
+             {crossings[k] + reach, crossings[k] + half, crossings[k + 1] - reach}) {
+          const Vec3 p = line.origin + t * line.direction;
+          if (box.contains(p)) emit(p);
+        }
+      }
     }
   };
-}
-
-/// What each literal may reach.
-std::vector<Box3> boxes_of_literals(const Tree& tree) {
-  const Box3 part = tree.bounds();
-  std::vector<Box3> boxes;
-  for (const Literal& literal : tree.literals) {
-    boxes.push_back(literal.bounds());
-    boxes.back().lo = boxes.back().lo.cwiseMax(part.lo);
-    boxes.back().hi = boxes.back().hi.cwiseMin(part.hi);
-  }
-  return boxes;
 }
 
 Proposal uniform(const SampleSpace& space) {
@@ -250,7 +236,7 @@ Verification verify_list(const SampleSpace& space, const Candidate& candidate,
     const std::size_t chunks = static_cast<std::size_t>(options.lines) / kLinesPerChunk;
     result.line_agreement =
         agreement(chunks, 5, along_lines(space, rays, {candidate.tree.bounds()}));
-    std::vector<Box3> boxes = boxes_of_literals(candidate.tree);
+    std::vector<Box3> boxes = literal_boxes(candidate.tree);
     const std::size_t aimed =
         boxes.size() * static_cast<std::size_t>(options.lines_per_literal) / kLinesPerChunk;
     if (aimed > 0) agreement(aimed, 6, along_lines(space, rays, std::move(boxes)));

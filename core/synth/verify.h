@@ -55,9 +55,9 @@ struct Candidate {
 };
 
 /// Compares the candidate with the labels on fresh points: uniform, near the mesh's surface, around
-/// the box, on the boundaries of the list's own terms, and along random lines on both sides of the
-/// tree's surface and midway between its crossings (both find sheets, slots and plugs that are
-/// small in volume). `stream` selects the random numbers.
+/// the box, on the boundaries of the list's own terms, and along random lines, some of them aimed
+/// at each literal, on both sides of the tree's surface and midway between its crossings (both find
+/// sheets, slots and plugs that are small in volume). `stream` selects the random numbers.
 Verification verify_list(const SampleSpace& space, const Candidate& candidate,
                          const VerifyOptions& options, std::uint64_t stream, const RunContext& run);
 
